@@ -1,0 +1,65 @@
+"""The one family of errors this library raises, and the checks that raise them.
+
+Every message names the argument, the value that came, what is allowed and what to do.
+"""
+
+import operator
+from collections.abc import Callable
+from typing import Any
+
+Progress = Callable[[int, int, str], None]
+"""Called as ``progress(done, total, what)`` during long work; raise `Cancelled` from it to stop."""
+
+
+class TilewrightError(Exception):
+    """Base of every error raised on purpose by tilewright."""
+
+
+class TilewrightValueError(TilewrightError, ValueError):
+    """An argument of the right type has a value that cannot be used."""
+
+
+class TilewrightTypeError(TilewrightError, TypeError):
+    """An argument has a type that cannot be used."""
+
+
+class TilewrightFileError(TilewrightError, OSError):
+    """A file or folder cannot be read or written, or does not hold what it should."""
+
+
+class Cancelled(TilewrightError):
+    """Raise this from a progress callback to stop long work; nothing half-made is left behind."""
+
+
+def check_int(name: str, value: Any, low: int, high: int, advice: str = "") -> int:
+    """``value`` as an int between ``low`` and ``high``, both included."""
+    if isinstance(value, bool):
+        raise TilewrightTypeError(f"{name} must be an integer, not {value!r}")
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TilewrightTypeError(f"{name} must be an integer, not {value!r}") from None
+    if not low <= number <= high:
+        hint = f"; {advice}" if advice else ""
+        raise TilewrightValueError(f"{name} is {number}; allowed are {low} to {high}{hint}")
+    return number
+
+
+def check_real(name: str, value: Any, low: float, high: float) -> float:
+    """``value`` as a finite float between ``low`` and ``high``, both included."""
+    if isinstance(value, (bool, str, bytes)):
+        raise TilewrightTypeError(f"{name} must be a number, not {value!r}")
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TilewrightTypeError(f"{name} must be a number, not {value!r}") from None
+    if not low <= number <= high:  # also catches NaN
+        raise TilewrightValueError(f"{name} is {number}; allowed are {low} to {high}")
+    return number
+
+
+def check_choice(name: str, value: Any, choices: tuple[str, ...]) -> str:
+    """``value`` if it is one of the words in ``choices``."""
+    if value not in choices:
+        raise TilewrightValueError(f"{name} is {value!r}; allowed are {', '.join(choices)}")
+    return str(value)

@@ -1,0 +1,1 @@
+"""Compiled loops: arrays in, arrays out; one file per family. The only room that imports numba."""

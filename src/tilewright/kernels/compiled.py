@@ -1,0 +1,48 @@
+"""How kernels are compiled and where the machine code is kept.
+
+numba's on-disk cache does not notice when a function in another file changes, so the cache folder is
+keyed by a digest of every kernel source: an edited kernel never meets stale machine code.
+"""
+
+import hashlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numba
+from platformdirs import user_cache_path
+
+
+def _cache_folder() -> Path:
+    digest = hashlib.sha256(numba.__version__.encode())
+    for source in sorted(Path(__file__).parent.glob("*.py")):
+        digest.update(source.name.encode() + source.read_bytes())
+    return user_cache_path("tilewright") / "kernels" / digest.hexdigest()[:16]
+
+
+_FOLDER = str(_cache_folder())
+
+
+def kernel(*, parallel: bool = False, inline: bool = False, fastmath: bool = False) -> Callable[..., Any]:
+    """Compile a function on first call, without the GIL, cached in the folder of these sources.
+
+    numba reads its cache folder when a function is decorated; the setting is put back at once, so
+    that other users of numba in the process keep theirs.
+    """
+
+    def decorate(function: Callable[..., Any]) -> Any:
+        before = numba.config.CACHE_DIR
+        numba.config.CACHE_DIR = _FOLDER
+        try:
+            return numba.njit(
+                cache=True,
+                nogil=True,
+                parallel=parallel,
+                fastmath=fastmath,
+                error_model="numpy",
+                inline="always" if inline else "never",
+            )(function)
+        finally:
+            numba.config.CACHE_DIR = before
+
+    return decorate

@@ -1,0 +1,80 @@
+"""The result of texture synthesis: one picture per tile, and where each pixel came from."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightValueError
+from tilewright.tiles import TileSet
+
+
+@dataclass(frozen=True, eq=False)
+class TextureTiles:
+    """A texture over a tile set: T tiles of H x W pixels, for one or several maps cut alike.
+
+    Attributes
+    ----------
+    tiles : TileSet
+        What may meet; tile t of every map belongs to row t of ``tiles.slots``.
+    maps : dict of str to array, shape (T, H, W, channels), uint8, uint16 or float32
+        The maps of the material in the order given; the first is the main one.
+    sources : tuple of dict of str to array, shape (h, w, channels)
+        The exemplars: one dict for each source, with the same map names.
+    origins : array, shape (T, H, W, 3), uint16
+        The source pixel each tile pixel was copied from: (source number, y, x). By construction
+        ``maps[name][t, i, j] == sources[s][name][y, x]``.
+    recipe : dict
+        Method, seed and parameters: what is needed to make the set again. Plain JSON values.
+    """
+
+    tiles: TileSet
+    maps: dict[str, NDArray[Any]]
+    sources: tuple[dict[str, NDArray[Any]], ...]
+    origins: NDArray[np.uint16]
+    recipe: dict[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if not self.maps:
+            raise TilewrightValueError("maps is empty; a material needs at least one map")
+        for name, pixels in self.maps.items():
+            if pixels.ndim != 4 or pixels.shape[:3] != self.origins.shape[:3]:
+                raise TilewrightValueError(
+                    f"map {name!r} has shape {pixels.shape}; expected "
+                    f"(tiles, height, width, channels) with the first three {self.origins.shape[:3]}"
+                )
+        if len(self.tiles) != self.origins.shape[0]:
+            raise TilewrightValueError(
+                f"{self.origins.shape[0]} pictures were given for a set of {len(self.tiles)} tiles"
+            )
+
+    @property
+    def tile_size(self) -> int:
+        """Pixels along one side of a (square) tile."""
+        return int(self.origins.shape[1])
+
+    @property
+    def main(self) -> str:
+        """Name of the main map."""
+        return next(iter(self.maps))
+
+    @property
+    def pixels(self) -> NDArray[Any]:
+        """The main map, shape (T, H, W, channels)."""
+        return self.maps[self.main]
+
+
+def copy_from_sources(
+    sources: tuple[dict[str, NDArray[Any]], ...], origins: NDArray[np.uint16]
+) -> dict[str, NDArray[Any]]:
+    """Every map of a material, copied pixel by pixel from the sources along ``origins``."""
+    maps = {}
+    s, y, x = origins[..., 0], origins[..., 1], origins[..., 2]
+    for name, first in sources[0].items():
+        pixels = np.empty(origins.shape[:3] + first.shape[2:], first.dtype)
+        for number, source in enumerate(sources):
+            here = s == number
+            pixels[here] = source[name][y[here], x[here]]
+        maps[name] = pixels
+    return maps

@@ -1,0 +1,133 @@
+"""What may meet: a finite set of tiles with colored slots."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
+from tilewright.tiles.shape import Shape
+
+MAX_COLORS = 256
+
+
+class TileSet:
+    """A finite set of tiles of one shape.
+
+    Parameters
+    ----------
+    shape : Shape
+        The kind of tile, for example `WANG` or `CORNER`.
+    slots : array-like of int, shape (T, S)
+        The colors of each tile, one column per slot of ``shape``.
+    colors : sequence of int, optional
+        Number of colors of each slot; by default one more than the largest color that the slots
+        which can meet carry.
+    name : str
+        How messages and files call the set.
+
+    Raises
+    ------
+    TilewrightValueError
+        Empty set, wrong number of slots, a color out of range, or a tile given twice.
+
+    Notes
+    -----
+    The index of a tile is its row in ``slots``. The *code* of a tile is the mixed-radix number of its
+    colors (Lagae 2007, eq. 2.1-2.7); in a complete set code and index are the same.
+    """
+
+    def __init__(
+        self, shape: Shape, slots: ArrayLike, colors: tuple[int, ...] | None = None, name: str = "custom"
+    ) -> None:
+        table = np.asarray(slots)
+        if table.dtype.kind not in "iu":
+            raise TilewrightTypeError(f"slots must hold integers, not {table.dtype}")
+        if table.ndim != 2 or table.shape[1] != len(shape.slots) or not len(table):
+            raise TilewrightValueError(
+                f"slots has shape {table.shape}; {shape.name} tiles need (tiles, {len(shape.slots)}) "
+                f"with columns {', '.join(shape.slots)} and at least one tile"
+            )
+        if table.min() < 0 or table.max() >= MAX_COLORS:
+            raise TilewrightValueError(
+                f"slots holds colors {table.min()} to {table.max()}; allowed are 0 to {MAX_COLORS - 1}"
+            )
+        self.shape = shape
+        self.name = name
+        self.colors = _radices(shape, table) if colors is None else tuple(int(c) for c in colors)
+        self.slots: NDArray[np.uint8] = table.astype(np.uint8)
+        self.slots.setflags(write=False)
+        self._check_colors()
+        codes = self.codes
+        if len(np.unique(codes)) != len(codes):
+            raise TilewrightValueError(f"the {name} set holds a tile twice")
+
+    def _check_colors(self) -> None:
+        if len(self.colors) != len(self.shape.slots):
+            raise TilewrightValueError(
+                f"colors has {len(self.colors)} entries; {self.shape.name} tiles have {len(self.shape.slots)}"
+            )
+        over = (self.slots >= np.array(self.colors)).nonzero()
+        if len(over[0]):
+            tile, slot = int(over[0][0]), int(over[1][0])
+            raise TilewrightValueError(
+                f"tile {tile} has color {self.slots[tile, slot]} at {self.shape.slots[slot]}; "
+                f"that slot has {self.colors[slot]} colors"
+            )
+
+    def __len__(self) -> int:
+        return len(self.slots)
+
+    def __repr__(self) -> str:
+        return f"<TileSet {self.name}: {len(self)} {self.shape.name} tiles, colors {self.colors}>"
+
+    @property
+    def codes(self) -> NDArray[np.int64]:
+        """Mixed-radix number of each tile's colors, shape (T,)."""
+        return encode(self.slots, self.colors)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether every combination of colors is there."""
+        return len(self) == int(np.prod(np.array(self.colors, dtype=object)))
+
+    def fitting(self, **known: int) -> NDArray[np.int64]:
+        """Indices of the tiles whose slots carry the given colors, as in ``fitting(N=0, W=1)``."""
+        keep = np.ones(len(self), bool)
+        for slot, color in known.items():
+            if slot not in self.shape.slots:
+                raise TilewrightValueError(
+                    f"{self.shape.name} tiles have no slot {slot!r}; they have {', '.join(self.shape.slots)}"
+                )
+            number = self.shape.slot(slot)
+            keep &= self.slots[:, number] == check_int(slot, color, 0, self.colors[number] - 1)
+        return keep.nonzero()[0]
+
+
+def _radices(shape: Shape, table: NDArray[Any]) -> tuple[int, ...]:
+    """Colors per slot: slots that meet across an axis share one palette."""
+    most = table.max(axis=0).astype(int) + 1
+    for _ in shape.slots:  # palettes spread along joints; this many rounds reach every slot
+        for joint in shape.joints:
+            for far, near in joint:
+                most[far] = most[near] = max(most[far], most[near])
+    return tuple(int(m) for m in most)
+
+
+def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
+    """Mixed-radix number of the colors along the last axis (Lagae 2007, eq. 2.2 and 2.5)."""
+    table = np.asarray(slots, np.int64)
+    code = np.zeros(table.shape[:-1], np.int64)
+    for slot, radix in enumerate(colors):
+        code = code * radix + table[..., slot]
+    return code
+
+
+def decode(codes: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.uint8]:
+    """Colors of each slot along a new last axis (Lagae 2007, eq. 2.4 and 2.7)."""
+    rest = np.asarray(codes, np.int64)
+    slots = np.empty((*rest.shape, len(colors)), np.uint8)
+    for slot in range(len(colors) - 1, -1, -1):
+        slots[..., slot] = rest % colors[slot]
+        rest = rest // colors[slot]
+    return slots
