@@ -27,6 +27,10 @@ class TilewrightFileError(TilewrightError, OSError):
     """A file or folder cannot be read or written, or does not hold what it should."""
 
 
+class TilewrightWarning(UserWarning):
+    """Something will work but is likely not what was wanted."""
+
+
 class Cancelled(TilewrightError):
     """Raise this from a progress callback to stop long work; nothing half-made is left behind."""
 

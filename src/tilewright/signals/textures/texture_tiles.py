@@ -26,7 +26,10 @@ class TextureTiles:
         The source pixel each tile pixel was copied from: (source number, y, x). By construction
         ``maps[name][t, i, j] == sources[s][name][y, x]``.
     recipe : dict
-        Method, seed and parameters: what is needed to make the set again. Plain JSON values.
+        Method, seed, parameters and the places of all patches: what is needed to make the set again.
+        Plain JSON values.
+    masks : tuple of bool array, shape (h, w)
+        For each source, the pixels that may be copied; empty where all may.
     """
 
     tiles: TileSet
@@ -34,6 +37,7 @@ class TextureTiles:
     sources: tuple[dict[str, NDArray[Any]], ...]
     origins: NDArray[np.uint16]
     recipe: dict[str, Any] = field(default_factory=dict)
+    masks: tuple[NDArray[np.bool_], ...] = ()
 
     def __post_init__(self) -> None:
         if not self.maps:

@@ -1,0 +1,122 @@
+"""What a texture is made from: photographs, their maps, and what may be copied from them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+
+Maps = dict[str, NDArray[Any]]
+
+SMALLEST_SIDE = 32
+LARGEST_SIDE = 32768
+
+
+@dataclass(frozen=True, eq=False)
+class Exemplar:
+    """One or more photographs that share a list of maps.
+
+    Parameters
+    ----------
+    sources : sequence of dict of str to array, shape (h, w, channels) or (h, w)
+        The maps of each source: uint8, uint16 or float32 with 1 to 4 channels. All maps of a source
+        have one size; all sources have the same maps, with the same type and channels.
+    masks : sequence of bool array, shape (h, w), or None, optional
+        For each source, the pixels that may be copied; everything by default.
+    weights : dict of str to float, optional
+        How much each map counts when patches are matched and cut; 1 by default.
+
+    Raises
+    ------
+    TilewrightTypeError, TilewrightValueError
+        A map of another type, size or number of channels; NaN or infinity; a mask that leaves nothing.
+    """
+
+    sources: tuple[Maps, ...]
+    masks: tuple[NDArray[np.bool_], ...]
+    weights: dict[str, float]
+
+    def __init__(
+        self,
+        sources: Sequence[Maps],
+        masks: Sequence[NDArray[np.bool_] | None] | None = None,
+        weights: dict[str, float] | None = None,
+    ) -> None:
+        if not sources or not sources[0]:
+            raise TilewrightValueError("an exemplar needs at least one source with at least one map")
+        checked = tuple(_check_source(n, source) for n, source in enumerate(sources))
+        _check_alike(checked)
+        given = list(masks) if masks is not None else [None] * len(checked)
+        if len(given) != len(checked):
+            raise TilewrightValueError(f"{len(given)} masks were given for {len(checked)} sources")
+        object.__setattr__(self, "sources", checked)
+        usable = tuple(_check_mask(n, m, s) for n, (m, s) in enumerate(zip(given, checked, strict=True)))
+        object.__setattr__(self, "masks", usable)
+        object.__setattr__(self, "weights", dict.fromkeys(checked[0], 1.0) | (weights or {}))
+
+
+def _check_source(number: int, source: Maps) -> Maps:
+    checked = {}
+    sizes = {}
+    for name, given in source.items():
+        what = f"map {name!r} of source {number}"
+        pixels = np.asarray(given)
+        if pixels.dtype == np.float64 or pixels.dtype == np.float16:
+            pixels = pixels.astype(np.float32)
+        if pixels.dtype not in (np.uint8, np.uint16, np.float32):
+            raise TilewrightTypeError(f"{what} has type {pixels.dtype}; allowed are uint8, uint16, float32")
+        if pixels.ndim == 2:
+            pixels = pixels[..., np.newaxis]
+        if pixels.ndim != 3 or not 1 <= pixels.shape[2] <= 4:
+            raise TilewrightValueError(
+                f"{what} has shape {np.shape(given)}; expected (height, width) or "
+                "(height, width, channels) with 1 to 4 channels"
+            )
+        if min(pixels.shape[:2]) < SMALLEST_SIDE or max(pixels.shape[:2]) > LARGEST_SIDE:
+            raise TilewrightValueError(
+                f"{what} is {pixels.shape[1]} x {pixels.shape[0]} pixels; "
+                f"allowed are {SMALLEST_SIDE} to {LARGEST_SIDE} on each side"
+            )
+        if pixels.dtype == np.float32 and not np.isfinite(pixels).all():
+            y, x = (int(v[0]) for v in (~np.isfinite(pixels).all(axis=2)).nonzero())
+            raise TilewrightValueError(
+                f"{what} is not finite at x={x}, y={y}; NaN and infinity are not allowed"
+            )
+        checked[name] = np.ascontiguousarray(pixels)
+        sizes[name] = pixels.shape[:2]
+    if len(set(sizes.values())) > 1:
+        listing = ", ".join(f"{name} {w} x {h}" for name, (h, w) in sizes.items())
+        raise TilewrightValueError(f"the maps of source {number} differ in size: {listing}")
+    return checked
+
+
+def _check_alike(sources: tuple[Maps, ...]) -> None:
+    first = {name: (m.dtype, m.shape[2]) for name, m in sources[0].items()}
+    for number, source in enumerate(sources[1:], 1):
+        here = {name: (m.dtype, m.shape[2]) for name, m in source.items()}
+        if here != first:
+            raise TilewrightValueError(
+                f"source {number} has maps {_listing(here)}; source 0 has {_listing(first)}: they must agree"
+            )
+
+
+def _listing(kinds: dict[str, tuple[Any, int]]) -> str:
+    return ", ".join(f"{name} ({kind}, {channels} channels)" for name, (kind, channels) in kinds.items())
+
+
+def _check_mask(number: int, mask: Any, source: Maps) -> NDArray[np.bool_]:
+    size = next(iter(source.values())).shape[:2]
+    if mask is None:
+        return np.ones(size, bool)
+    usable = np.asarray(mask)
+    if usable.shape != size:
+        raise TilewrightValueError(
+            f"the mask of source {number} has shape {usable.shape}; its source has {size}"
+        )
+    usable = usable.astype(bool)
+    if not usable.any():
+        raise TilewrightValueError(f"the mask of source {number} leaves no pixel to copy")
+    return usable

@@ -1,0 +1,109 @@
+"""Where in the exemplar is a patch that would fit here? Weighted squared distance at every place."""
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.fft import irfft2, next_fast_len, rfft2
+from scipy.ndimage import minimum_filter
+
+from tilewright.signals.textures.patchwork import Patchwork
+from tilewright.signals.textures.sheet import Sheet
+
+
+class Matcher:
+    """Compares a canvas with every window of a sheet: in color around the patch, in tone all over.
+
+    Tone is the low-passed color. It is compared where the patch will lie as well, so that a patch of
+    another tone than its surroundings is not laid among them, however well its border fits.
+    """
+
+    def __init__(self, sheet: Sheet, size: int, tone_sigma: float) -> None:
+        self.sheet = sheet
+        self.size = size
+        self.color = WindowDistance(sheet.features)
+        # Tone varies slowly: one pixel in `step` is enough.
+        self.step = max(1, size // 32)
+        low = sheet.low_pass(tone_sigma)
+        spread = float(low[sheet.usable].var(axis=0, dtype=np.float64).sum())
+        self.tone_pixels = (low - low[sheet.usable].mean(axis=0)) / np.float32(np.sqrt(max(spread, 1e-12)))
+        self.tone = WindowDistance(_reduce(self.tone_pixels, self.step))
+        self._places: dict[tuple[int, ...], NDArray[np.bool_]] = {}
+
+    def places(self, sources: Sequence[int]) -> NDArray[np.bool_]:
+        """Where a window of a tile's size lies in usable pixels of one of the sources."""
+        return self.places_of_size(self.size, sources)
+
+    def places_of_size(self, n: int, sources: Sequence[int]) -> NDArray[np.bool_]:
+        """Where a window of n x n pixels lies in usable pixels, one pixel off a source's border."""
+        key = (n, *sources)
+        if key not in self._places:
+            blocked = np.ones((self.sheet.usable.shape[0] + 1, self.sheet.usable.shape[1] + 1), np.int64)
+            blocked[0] = blocked[:, 0] = 0
+            for s in sources:
+                top, (h, w) = self.sheet.tops[s], self.sheet.sizes[s]
+                inner = self.sheet.usable[top + 1 : top + h - 1, 1 : w - 1]
+                blocked[top + 2 : top + h, 2:w] = ~inner
+            total = blocked.cumsum(0).cumsum(1)
+            self._places[key] = (total[n:, n:] - total[:-n, n:] - total[n:, :-n] + total[:-n, :-n]) == 0
+        return self._places[key]
+
+    def distances(
+        self, canvas: Patchwork, weight: NDArray[np.float32]
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Mean squared distance of the canvas to each window, in color (weighted) and in tone."""
+        color = self.color(canvas.pixels(self.sheet.features), weight)
+        tone_canvas = _reduce(canvas.pixels(self.tone_pixels), self.step)
+        coarse = self.tone(tone_canvas, np.ones(tone_canvas.shape[:2], np.float32))
+        rows = np.minimum(np.arange(color.shape[0]) // self.step, coarse.shape[0] - 1)
+        columns = np.minimum(np.arange(color.shape[1]) // self.step, coarse.shape[1] - 1)
+        return color, coarse[rows][:, columns]
+
+
+class WindowDistance:
+    """Weighted mean squared distance of a target to every window of an image, by FFT."""
+
+    def __init__(self, image: NDArray[np.float32]) -> None:
+        rows, columns, _ = image.shape
+        self.shape = (rows, columns)
+        self.size = (next_fast_len(rows, real=True), next_fast_len(columns, real=True))
+        planes = np.ascontiguousarray(np.moveaxis(image, 2, 0))
+        self.spectra = rfft2(planes, self.size)
+        self.power = rfft2((planes * planes).sum(axis=0), self.size)
+
+    def __call__(self, target: NDArray[np.float32], weight: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Distances of ``target`` (h, w, k); element (y, x) is the window that starts there."""
+        height, width = weight.shape
+        share = (weight / weight.sum()).astype(np.float32)
+        planes = np.moveaxis(target, 2, 0)
+        product = (np.conj(rfft2(planes * share, self.size)) * self.spectra).sum(axis=0)
+        spectrum = np.conj(rfft2(share, self.size)) * self.power - 2 * product
+        rows, columns = self.shape
+        found = irfft2(spectrum, self.size)[: rows - height + 1, : columns - width + 1]
+        return np.maximum(found + np.float32((planes * planes * share).sum()), 0)
+
+
+def _reduce(image: NDArray[np.float32], step: int) -> NDArray[np.float32]:
+    """Mean over blocks of step x step pixels; what does not fill a block is left out."""
+    rows, columns = image.shape[0] // step, image.shape[1] // step
+    blocks = image[: rows * step, : columns * step].reshape(rows, step, columns, step, -1)
+    return blocks.mean(axis=(1, 3), dtype=np.float32)
+
+
+def best_places(score: NDArray[np.float32], count: int, apart: int) -> list[tuple[int, int]]:
+    """The ``count`` lowest places of a score map, at least ``apart`` from each other; never infinite ones."""
+    lowest = minimum_filter(score, size=2 * apart + 1, mode="constant", cval=np.inf)
+    y, x = ((score == lowest) & np.isfinite(score)).nonzero()
+    order = np.argsort(score[y, x], kind="stable")[:count]
+    return [(int(y[o]), int(x[o])) for o in order]
+
+
+def bar_places(score: NDArray[np.float32], places: Iterable[tuple[int, int]], radius: float) -> None:
+    """Make every place nearer than ``radius`` to one of the given infinitely bad."""
+    reach = int(np.ceil(radius))
+    for y, x in places:
+        top, left = max(0, y - reach), max(0, x - reach)
+        part = score[top : max(0, y + reach + 1), left : max(0, x + reach + 1)]
+        if part.size:
+            rows, columns = np.ogrid[top : top + part.shape[0], left : left + part.shape[1]]
+            part[(rows - y) ** 2 + (columns - x) ** 2 < radius**2] = np.inf

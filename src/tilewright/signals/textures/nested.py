@@ -1,0 +1,163 @@
+"""Texture tiles with corner colors: corner patches under edge patches under center patches.
+
+The method of Ng et al. 2005 (as told in Lagae & Dutré 2006, section 5.1) covers the seams between four
+corner patches with one patch per tile, inside the inscribed circle. Here, three things are stronger:
+the seam between two corner patches is cut once for each pair of colors and shared by all tiles with that
+edge; each pair of colors gets an edge patch of its own; and the patch of a tile may reach all of the
+tile but its border. Corner content then recurs with probability 1/C, edge content with 1/C^2 and the rest
+with 1/C^4.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.signals.textures.corners import choose_corners
+from tilewright.signals.textures.frame import Frame
+from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
+from tilewright.signals.textures.plan import Edge, Plan
+from tilewright.signals.textures.search import CONTEXT, CONTEXT_SIGMA, PatchSearch, Place
+
+OVERLAP = 0.11
+"""Half the width in which two corner patches are cut, in tiles."""
+EDGE_CORE = (0.24, 0.14)
+"""Half-length and half-width of the part an edge patch must fill, in tiles."""
+CENTER_CORE = 0.335
+"""Half-width of the part a center patch must fill, in tiles."""
+MIXED_CORE = 0.5
+"""The cores shrink to this where two sources meet, so that the cut decides where one ends."""
+BORDER = 2
+"""Pixels along the tile's border that belong to its edges."""
+
+
+def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Patchwork:
+    """All tiles of a plan, stacked: coordinates of shape (T, size, size)."""
+    frame = Frame(search.size)
+    corners = choose_corners(search, plan, round(OVERLAP * search.size), rng)
+    edges: list[Patchwork] = []
+    edge_places: list[list[Place]] = []
+    for edge in plan.edges:
+        seen = [
+            p
+            for e, ps in zip(plan.edges[: len(edge_places)], edge_places, strict=True)
+            if e.axis == edge.axis
+            for p in ps
+        ]
+        canvas, places = lay_edge(search, frame, plan, edge, corners, seen)
+        edges.append(canvas)
+        edge_places.append(places)
+    tiles = []
+    centers: list[Place] = []
+    for tile in range(len(plan.tile_edges)):
+        canvas = join_edges(frame, [edges[e] for e in plan.tile_edges[tile]])
+        barred = centers + shown_in_tile(frame, plan, tile, corners, edge_places)
+        sources = plan.sources_of_tile(tile)
+        canvas, place = lay_center_patch(search, frame, tile, canvas, sources, barred)
+        centers.append(place)
+        tiles.append(canvas)
+    return stack(tiles)
+
+
+def lay_edge(
+    search: PatchSearch,
+    frame: Frame,
+    plan: Plan,
+    edge: Edge,
+    corners: list[Place],
+    barred: list[Place],
+) -> tuple[Patchwork, list[Place]]:
+    """The canvas of an edge, and the place of its own patch."""
+    along, across = frame.along_across(edge.axis)
+    # The center patches cover what is far from the edge, so seams matter less there.
+    distance = np.abs(across) / frame.size
+    weight = np.clip(1 - 0.95 * distance / 0.3, 0.05, 1).astype(np.float32)
+    # Step 1: cut the two corner patches where they overlap.
+    canvas = cut_ends(search, frame, edge, corners, weight)
+    # Step 2: lay the edge's own patch over the middle of the seam.
+    sources = plan.sources_of_edge(edge)
+    shrink = MIXED_CORE if len(sources) > 1 else 1
+    length, width = (c * frame.size * shrink for c in EDGE_CORE)
+    core = (np.abs(along) < length) & (np.abs(across) < width)
+    limit = np.abs(frame.u) + np.abs(frame.v) < frame.half - 1
+    canvas, place = search.lay(
+        edge.name,
+        canvas,
+        frame.ring(core, limit),
+        weight,
+        sources,
+        [*end_places(frame, edge, corners), *barred],
+        plain=True,
+    )
+    return canvas, [place]
+
+
+def cut_ends(
+    search: PatchSearch, frame: Frame, edge: Edge, corners: list[Place], weight: NDArray[np.float32]
+) -> Patchwork:
+    """The canvas of an edge with its two corner patches, cut where they overlap."""
+    along, _ = frame.along_across(edge.axis)
+    first, second = end_places(frame, edge, corners)
+    state = np.where(along < 0, FORCED_OLD, FORCED_NEW).astype(np.uint8)
+    state[frame.diamond & (np.abs(along) < round(OVERLAP * frame.size))] = OPEN
+    canvas = Patchwork.of_patch(frame.size, frame.size, first)
+    return canvas.with_cut(search.sheet, second, state, weight, CONTEXT, CONTEXT_SIGMA * frame.size)
+
+
+def end_places(frame: Frame, edge: Edge, corners: list[Place]) -> tuple[Place, Place]:
+    """Where the corner patches of an edge lie, in the canvas of the edge."""
+    (ay, ax), (by, bx) = corners[edge.first], corners[edge.second]
+    if edge.axis == 0:
+        return (ay - frame.half, ax), (by - frame.half, bx - frame.size)
+    return (ay, ax - frame.half), (by - frame.size, bx - frame.half)
+
+
+def join_edges(frame: Frame, edges: list[Patchwork]) -> Patchwork:
+    """A tile's canvas: the triangle each of its edges N, E, S, W decides."""
+    rows = np.empty((frame.size, frame.size), np.int32)
+    columns = np.empty_like(rows)
+    for side, (triangle, edge) in enumerate(zip(frame.triangles, edges, strict=True)):
+        dy, dx = frame.edge_offset(side)
+        y, x = triangle.nonzero()
+        rows[y, x] = edge.rows[y + dy, x + dx]
+        columns[y, x] = edge.columns[y + dy, x + dx]
+    return Patchwork(rows, columns)
+
+
+def shown_in_tile(
+    frame: Frame, plan: Plan, tile: int, corners: list[Place], edge_places: list[list[Place]]
+) -> list[Place]:
+    """Places of the patches a tile already shows, in the canvas of the tile."""
+    shown = []
+    for corner, number in enumerate(plan.tile_corners[tile]):
+        dy, dx = frame.corner_offset(corner)
+        shown.append((corners[number][0] - dy, corners[number][1] - dx))
+    for side, edge in enumerate(plan.tile_edges[tile]):
+        dy, dx = frame.edge_offset(side)
+        shown += [(y + dy, x + dx) for y, x in edge_places[edge]]
+    return shown
+
+
+def lay_center_patch(
+    search: PatchSearch,
+    frame: Frame,
+    tile: int,
+    canvas: Patchwork,
+    sources: Sequence[int],
+    barred: list[Place],
+) -> tuple[Patchwork, Place]:
+    """Lay a tile's own patch over everything but the border."""
+    core = frame.superellipse(CENTER_CORE * (MIXED_CORE if len(sources) > 1 else 1))
+    state = frame.ring(core, inside_border(frame))
+    return search.lay(f"center:{tile}", canvas, state, even(frame), sources, barred, plain=False)
+
+
+def inside_border(frame: Frame) -> NDArray[np.bool_]:
+    """Pixels of a tile that its neighbors need not share."""
+    reach = frame.half - BORDER
+    return (np.abs(frame.u) < reach) & (np.abs(frame.v) < reach)
+
+
+def even(frame: Frame) -> NDArray[np.float32]:
+    """Seams count the same everywhere."""
+    return np.ones((frame.size, frame.size), np.float32)

@@ -1,0 +1,107 @@
+"""A canvas of copied pixels, and the one move that changes it: lay a patch over it and cut.
+
+A seam that is already there counts in the cut, so a new patch covers old seams where that pays
+(Kwatra et al. 2003, section 3.2; the energy is in ``kernels/seams.py``).
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter
+
+from tilewright.kernels.mincut import cut_grid
+from tilewright.kernels.seams import FORCED_NEW, FORCED_OLD, OPEN, fill_grid, measure_overlap, sum_seams
+from tilewright.signals.textures.sheet import Sheet
+
+__all__ = ["FORCED_NEW", "FORCED_OLD", "OPEN", "Patchwork", "stack"]
+
+# Integer capacity of a seam whose squared distance is the variance of the exemplar.
+_SCALE = 4096.0
+
+
+@dataclass(frozen=True, eq=False)
+class Patchwork:
+    """Sheet coordinates of every pixel of a canvas, shape (h, w) each; -1 where nothing lies."""
+
+    rows: NDArray[np.int32]
+    columns: NDArray[np.int32]
+
+    @classmethod
+    def of_patch(cls, height: int, width: int, shift: tuple[int, int]) -> "Patchwork":
+        """A canvas that shows sheet pixel (i, j) + shift everywhere."""
+        i, j = np.indices((height, width), np.int32)
+        return cls(i + np.int32(shift[0]), j + np.int32(shift[1]))
+
+    def pixels(self, image: NDArray[np.float32]) -> NDArray[np.float32]:
+        """What the canvas shows of an image the size of the sheet, shape (h, w, k)."""
+        rows, columns = image.shape[:2]
+        return image[np.clip(self.rows, 0, rows - 1), np.clip(self.columns, 0, columns - 1)]
+
+    def with_patch(self, shift: tuple[int, int], where: NDArray[np.bool_]) -> "Patchwork":
+        """The canvas with a patch copied over it where told."""
+        new = Patchwork.of_patch(self.rows.shape[0], self.rows.shape[1], shift)
+        return Patchwork(np.where(where, new.rows, self.rows), np.where(where, new.columns, self.columns))
+
+    def overlay(
+        self,
+        sheet: Sheet,
+        shift: tuple[int, int],
+        state: NDArray[np.uint8],
+        weight: NDArray[np.float32],
+        context: float = 0.0,
+        reach: float = 0.0,
+    ) -> tuple[float, NDArray[np.bool_]]:
+        """Cut a patch into the canvas: the energy of the best cut, and where the patch then lies.
+
+        Parameters
+        ----------
+        shift : the patch shows sheet pixel (i, j) + shift at canvas pixel (i, j).
+        state : uint8 (h, w), FORCED_OLD, OPEN or FORCED_NEW for each pixel.
+        weight : float32 (h, w), what a seam counts there.
+        context : how much the difference around a seam counts beside that at the seam.
+        reach : radius (sigma, pixels) of that neighborhood.
+        """
+        height, width = state.shape
+        around = np.zeros(state.shape, np.float32)
+        if context > 0:
+            measure_overlap(sheet.features, self.rows, self.columns, *shift, around)
+            around = np.float32(context) * gaussian_filter(around, reach, mode="nearest")
+        capacity = np.zeros((4, (height + 2) * (width + 2)), np.int32)
+        terminal = np.zeros((height + 2) * (width + 2), np.int32)
+        fill_grid(
+            sheet.features,
+            self.rows,
+            self.columns,
+            *shift,
+            state,
+            weight,
+            around,
+            np.float32(_SCALE),
+            capacity,
+            terminal,
+        )
+        in_sink = np.zeros(terminal.shape, np.uint8)
+        cut_grid(capacity, terminal, width + 2, in_sink)
+        chosen = in_sink.reshape(height + 2, width + 2)[1:-1, 1:-1] == 1
+        where = (state == FORCED_NEW) | ((state == OPEN) & chosen)
+        energy = sum_seams(sheet.features, self.rows, self.columns, *shift, where, weight, around)
+        return float(energy), where
+
+    def with_cut(
+        self,
+        sheet: Sheet,
+        shift: tuple[int, int],
+        state: NDArray[np.uint8],
+        weight: NDArray[np.float32],
+        context: float = 0.0,
+        reach: float = 0.0,
+    ) -> "Patchwork":
+        """The canvas with a patch cut into it; parameters as in `overlay`."""
+        return self.with_patch(shift, self.overlay(sheet, shift, state, weight, context, reach)[1])
+
+
+def stack(canvases: Sequence[Patchwork]) -> Patchwork:
+    """All tiles in one: coordinates of shape (T, h, w)."""
+    return Patchwork(np.stack([c.rows for c in canvases]), np.stack([c.columns for c in canvases]))

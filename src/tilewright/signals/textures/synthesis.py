@@ -1,0 +1,240 @@
+"""From an exemplar to texture tiles: the methods by name, and the record that makes a set again."""
+
+import os
+import warnings
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+
+from tilewright.errors import (
+    Progress,
+    TilewrightValueError,
+    TilewrightWarning,
+    check_choice,
+    check_int,
+)
+from tilewright.signals.textures.diamonds import lay_burke, lay_diamonds, lay_diamonds_with_centers
+from tilewright.signals.textures.exemplar import Exemplar
+from tilewright.signals.textures.nested import lay_nested
+from tilewright.signals.textures.patchwork import Patchwork
+from tilewright.signals.textures.plan import make_plan
+from tilewright.signals.textures.regularity import (
+    Regularity,
+    find_regularity,
+    misfit_of_size,
+    suited_tile_size,
+)
+from tilewright.signals.textures.search import Ledger, PatchSearch
+from tilewright.signals.textures.sheet import Sheet, make_sheet
+from tilewright.signals.textures.squares import lay_ng, lay_squares
+from tilewright.signals.textures.texture_tiles import TextureTiles, copy_from_sources
+from tilewright.tiles import TileSet
+
+Spot = tuple[int, int, int]
+"""(source, y, x): a pixel of a source."""
+
+CORNER_METHODS = ("nested", "ng", "squares")
+EDGE_METHODS = ("centered-diamonds", "diamonds", "burke")
+METHODS = CORNER_METHODS + EDGE_METHODS
+SMALLEST_TILE, LARGEST_TILE = 16, 1024
+
+
+def synthesize(
+    exemplar: Exemplar,
+    tiles: TileSet,
+    *,
+    tile_size: int | str = 128,
+    seed: int = 0,
+    method: str | None = None,
+    pick: Mapping[str, Spot] | None = None,
+    reject: Mapping[str, Sequence[Spot]] | None = None,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> TextureTiles:
+    """Synthesize a texture over a tile set.
+
+    Parameters
+    ----------
+    exemplar : Exemplar
+        One source, or two for an inhomogeneous set: then the upper half of the corner colors is taken
+        from the second (Cohen et al. 2003, section 3.5).
+    tiles : TileSet
+        Corner, corner-coded or Wang tiles.
+    tile_size : int or "auto"
+        Pixels along a tile, even, 16 to 1024; ``"auto"`` takes a size near 128 that is a whole number
+        of the exemplar's periods.
+    seed : int
+        The same seed gives the same bytes, whatever the number of threads.
+    method : str, optional
+        For corner tiles ``"nested"`` (default), ``"ng"`` (Ng et al. 2005: one patch per corner color, cut
+        in the inscribed circle by one patch per tile; Lagae & Dutré 2006, figure 6d) or ``"squares"``
+        (figure 6c); for Wang tiles ``"centered-diamonds"`` (default), ``"diamonds"`` (Cohen et al. 2003;
+        figure 6a) or ``"burke"`` (figure 6b).
+    pick : dict of str to (source, y, x), optional
+        Places for named patches, instead of a search; see ``recipe["patches"]`` for names and places.
+    reject : dict of str to list of (source, y, x), optional
+        Places named patches must not be taken from, nor within a quarter of a tile.
+    threads : int, optional
+        All processors by default.
+    progress : callable, optional
+        ``progress(done, total, what)`` after each patch; raise `Cancelled` in it to stop.
+
+    Returns
+    -------
+    TextureTiles
+
+    Raises
+    ------
+    TilewrightValueError
+        The exemplar or its mask is too small for the tile size, the method does not go with the set, or
+        too much was rejected.
+
+    Warns
+    -----
+    TilewrightWarning
+        The exemplar holds a copy of itself, or is periodic and the tile size is off its period.
+    """
+    check_int("seed", seed, 0, 2**64 - 1)
+    corners = "NE" in tiles.shape.slots
+    if tiles.shape.dimension != 2:
+        raise TilewrightValueError(f"texture tiles are square; {tiles.shape.name} tiles are not")
+    method = check_choice("method", method or ("nested" if corners else "centered-diamonds"), METHODS)
+    allowed = CORNER_METHODS if corners else EDGE_METHODS
+    if method not in allowed:
+        raise TilewrightValueError(
+            f"method {method!r} does not go with {tiles.shape.name} tiles; allowed are {', '.join(allowed)}"
+        )
+    regularity = find_regularity(next(iter(exemplar.sources[0].values())))
+    size = _tile_size(tile_size, regularity)
+    _warn(regularity, size)
+    sheet = make_sheet(exemplar)
+    ledger = Ledger(
+        {name: _to_sheet(sheet, name, spot) for name, spot in (pick or {}).items()},
+        {name: [_to_sheet(sheet, name, s) for s in spots] for name, spots in (reject or {}).items()},
+    )
+    rng = np.random.default_rng(seed)
+    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+        lay, total = _method(method, tiles, len(exemplar.sources))
+        search = PatchSearch(sheet, size, ledger, regularity.shortest_period, pool, progress, total)
+        canvas = lay(search, rng)
+    unknown = (set(ledger.picked) | set(ledger.rejected)) - set(ledger.laid)
+    if unknown:
+        raise TilewrightValueError(
+            f"no patch is called {min(unknown)!r}; this set has {', '.join(sorted(ledger.laid)[:6])}, ..."
+        )
+    origins = sheet.to_origins(canvas.rows, canvas.columns)
+    recipe = {
+        "method": method,
+        "seed": seed,
+        "tile_size": size,
+        "weights": exemplar.weights,
+        "patches": {name: _to_source(sheet, place) for name, place in ledger.laid.items()},
+        "picked": {name: _to_source(sheet, place) for name, place in ledger.picked.items()},
+        "rejected": {n: [_to_source(sheet, p) for p in ps] for n, ps in ledger.rejected.items()},
+    }
+    maps = copy_from_sources(exemplar.sources, origins)
+    return TextureTiles(tiles, maps, exemplar.sources, origins, recipe, exemplar.masks)
+
+
+def resynthesize(
+    material: TextureTiles,
+    *,
+    reject: Iterable[str] = (),
+    pick: Mapping[str, Spot] | None = None,
+    threads: int | None = None,
+    progress: Progress | None = None,
+) -> TextureTiles:
+    """Make a set again with some of its patches rejected ("not this one") or picked by hand.
+
+    ``reject`` names patches of ``material.recipe["patches"]``: the place each was taken from is barred
+    for it from now on. What was rejected and picked before stays so.
+    """
+    recipe = material.recipe
+    rejected: dict[str, list[Spot]] = {n: list(map(tuple, s)) for n, s in recipe["rejected"].items()}  # type: ignore[arg-type]
+    picked: dict[str, Spot] = {n: tuple(s) for n, s in recipe["picked"].items()} | dict(pick or {})
+    for name in reject:
+        if name not in recipe["patches"]:
+            raise TilewrightValueError(
+                f"no patch is called {name!r}; this set has {', '.join(sorted(recipe['patches'])[:6])}, ..."
+            )
+        rejected.setdefault(name, []).append(tuple(recipe["patches"][name]))
+        picked.pop(name, None)
+    return synthesize(
+        Exemplar(material.sources, material.masks or None, recipe["weights"]),
+        material.tiles,
+        tile_size=recipe["tile_size"],
+        seed=recipe["seed"],
+        method=recipe["method"],
+        pick=picked,
+        reject=rejected,
+        threads=threads,
+        progress=progress,
+    )
+
+
+Lay = Callable[[PatchSearch, np.random.Generator], Patchwork]
+
+
+def _method(method: str, tiles: TileSet, sources: int) -> tuple[Lay, int]:
+    """The function that lays all tiles, and the number of patches it lays."""
+    if method in EDGE_METHODS:
+        if sources > 1:
+            raise TilewrightValueError("two sources need corner colors; use corner or corner-coded tiles")
+        colors = tiles.colors[0] + tiles.colors[1]
+        if method == "centered-diamonds":
+            return lambda search, rng: lay_diamonds_with_centers(search, tiles, rng), colors + len(tiles)
+        lay = lay_diamonds if method == "diamonds" else lay_burke
+        return lambda search, rng: lay(search, tiles, rng), colors
+    plan = make_plan(tiles, sources)
+    if method == "nested":
+        total = len(plan.corner_sources) + len(plan.edges) + len(tiles)
+        return lambda search, rng: lay_nested(search, plan, rng), total
+    if method == "ng":
+        return lambda search, rng: lay_ng(search, plan, rng), len(plan.corner_sources) + len(tiles)
+    return lambda search, rng: lay_squares(search, plan, rng), len(plan.corner_sources)
+
+
+def _tile_size(given: int | str, regularity: Regularity) -> int:
+    if given == "auto":
+        return suited_tile_size(regularity)
+    size = check_int("tile_size", given, SMALLEST_TILE, LARGEST_TILE)
+    if size % 2:
+        raise TilewrightValueError(f"tile_size is {size}; it must be even, for example {size + 1}")
+    return size
+
+
+def _warn(regularity: Regularity, size: int) -> None:
+    if regularity.clone is not None:
+        y, x = regularity.clone
+        warnings.warn(
+            f"the exemplar shows itself again {x} pixels to the right and {y} down (made seamless by "
+            "offset?); crop it to one copy, or twins will be visible",
+            TilewrightWarning,
+            stacklevel=3,
+        )
+    off = misfit_of_size(regularity, size)
+    if off > 2:
+        better = suited_tile_size(regularity, size)
+        warnings.warn(
+            f"the exemplar repeats every {_periods(regularity)} pixels and tile_size {size} is {off:.0f} "
+            f"pixels off; {better} fits",
+            TilewrightWarning,
+            stacklevel=3,
+        )
+
+
+def _periods(regularity: Regularity) -> str:
+    y, x = (f"{p:.1f}" if p else "-" for p in regularity.period)
+    return f"{x} x {y}"
+
+
+def _to_sheet(sheet: Sheet, name: str, spot: Spot) -> tuple[int, int]:
+    source, y, x = (check_int(f"place of {name}", v, -(2**16), 2**16) for v in spot)
+    check_int(f"source of {name}", source, 0, len(sheet.tops) - 1)
+    return sheet.tops[source] + y, x
+
+
+def _to_source(sheet: Sheet, place: tuple[int, int]) -> list[int]:
+    source = int(np.searchsorted(np.array(sheet.tops), place[0], side="right")) - 1
+    return [source, int(place[0]) - sheet.tops[source], int(place[1])]
