@@ -1,10 +1,32 @@
-"""Named tile sets: complete, compact, and the published small sets."""
+"""Named tile sets: complete, compact, and the published small sets.
+
+Every set is built from a rule that says which colors its tiles may carry, so that a direct tiling can
+recognize it from its slots alone, also when it comes from a file.
+"""
 
 import numpy as np
+from numpy.typing import NDArray
 
-from tilewright.errors import check_int
-from tilewright.tiles.shape import CORNER, WANG
+from tilewright.errors import TilewrightValueError, check_int
+from tilewright.tiles.shape import CORNER, CORNER_CODED, CORNER_CUBE, DOMINO, WANG, WANG_CUBE, Shape
 from tilewright.tiles.tileset import TileSet, decode
+
+MAX_COLORS = 16
+_MAX_ENUMERATED_CUBE_COLORS = 4
+
+
+def _colors(value: int, low: int = 1, name: str = "colors") -> int:
+    return check_int(name, value, low, MAX_COLORS)
+
+
+def _complete(shape: Shape, radices: tuple[int, ...]) -> TileSet:
+    count = int(np.prod(np.array(radices, dtype=object)))
+    return TileSet(shape, decode(np.arange(count), radices), radices, "complete")
+
+
+def dominoes(colors: int = 2) -> TileSet:
+    """The complete set of dominoes, C^2 tiles with colored ends E and W (Lagae 2007, section 2.10)."""
+    return _complete(DOMINO, (_colors(colors),) * 2)
 
 
 def wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> TileSet:
@@ -17,13 +39,219 @@ def wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> TileSet:
     vertical_colors : int, optional
         Number of colors of the vertical edges E and W; the same as ``colors`` by default.
     """
-    c_h = check_int("colors", colors, 1, 16)
-    c_v = c_h if vertical_colors is None else check_int("vertical_colors", vertical_colors, 1, 16)
-    radices = (c_h, c_v, c_h, c_v)
-    return TileSet(WANG, decode(np.arange((c_h * c_v) ** 2), radices), radices, "complete")
+    c_h, c_v = _both(colors, vertical_colors)
+    return _complete(WANG, (c_h, c_v, c_h, c_v))
 
 
-def corner_tiles(colors: int = 2) -> TileSet:
-    """The complete set of corner tiles over 1 to 16 colors (Lagae & Dutré 2006, section 3)."""
-    radices = (check_int("colors", colors, 1, 16),) * 4
-    return TileSet(CORNER, decode(np.arange(radices[0] ** 4), radices), radices, "complete")
+def corner_tiles(colors: int = 2, choices: int | None = None) -> TileSet:
+    """Corner tiles: the complete set, or a compact one.
+
+    Parameters
+    ----------
+    colors : int
+        1 to 16.
+    choices : int, optional
+        How many tiles fit once the NE, NW and SW corners are known. By default all C: the complete set
+        of C^4 tiles (Lagae & Dutré 2006, section 3). With fewer, d, the set holds the d C^3 tiles with
+        (SE - d NW) mod C < d; 2 gives the compact set of 2 C^3 tiles (Lagae 2007, section 3.2.2), in the
+        form for which a direct algorithm exists.
+    """
+    c = _colors(colors)
+    full = _complete(CORNER, (c,) * 4)
+    if choices is None or c == 1:
+        return full
+    d = check_int("choices", choices, 2, c)
+    if d == c:
+        return full
+    _, se, _, nw = full.slots.astype(int).T
+    return TileSet(CORNER, full.slots[(se - d * nw) % c < d], (c,) * 4, f"compact-{d}")
+
+
+def column_corner_tiles(colors: int = 2, choices: int = 2) -> TileSet:
+    """Corner tiles whose columns are chains: (SW - d NW) mod C < d and (SE - d NE) mod C < d.
+
+    With d = ``choices`` these are (d C)^2 tiles; not every three corners occur together.
+    """
+    c = _colors(colors)
+    full = _complete(CORNER, (c,) * 4)
+    if c == 1:
+        return full
+    d = check_int("choices", choices, 2, c)
+    ne, se, sw, nw = full.slots.astype(int).T
+    keep = ((sw - d * nw) % c < d) & ((se - d * ne) % c < d)
+    return TileSet(CORNER, full.slots[keep], (c,) * 4, f"columns-{d}")
+
+
+def compact_wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> TileSet:
+    """The compact set of 2 C_h C_v Wang tiles for scanline tiling (Lagae 2007, section 3.2.1).
+
+    Two tiles for each pair of N and W colors, b = 0 and 1: S = N + b + 2 W and E = W + b + 2 S. Each pair
+    of S and E colors occurs twice as well, so the set also tiles from south-east to north-west.
+    """
+    c_h, c_v = _both(colors, vertical_colors)
+    n, w, b = (a.ravel() for a in np.indices((c_h, c_v, 2)))
+    s = (n + b + 2 * w) % c_h
+    e = (w + b + 2 * s) % c_v
+    slots = np.unique(np.stack([n, e, s, w], axis=1), axis=0)
+    return TileSet(WANG, slots, (c_h, c_v, c_h, c_v), "compact")
+
+
+def cohen_tiles(count: int = 8) -> TileSet:
+    """The sets of 8, 12 and 18 Wang tiles of Cohen et al. 2003, figure 1.
+
+    8 tiles have two colors on either axis, 12 have two on the horizontal edges N and S and three on the
+    vertical edges E and W (the figure's caption; its text says the other way round), 18 have three on
+    both. The figure is not at hand: these are sets of that size with the properties the text asks for,
+    two tiles for each pair of N and W colors and for each pair of S and E colors.
+    """
+    sizes = {8: (2, 2), 12: (2, 3), 18: (3, 3)}
+    if count not in sizes:
+        raise TilewrightValueError(f"count is {count!r}; Cohen's sets have 8, 12 or 18 tiles")
+    return compact_wang_tiles(*sizes[count])
+
+
+def summed_wang_tiles(colors: int = 2) -> TileSet:
+    """The compact set of C^3 Wang tiles whose edge colors are sums of corner colors modulo C.
+
+    N = NW + NE and so on (Lagae 2007, section 3.3.2.2); it has a direct tiling from a single hash.
+    """
+    c = _colors(colors)
+    ne, se, sw, nw = _complete(CORNER, (c,) * 4).slots.astype(int).T
+    slots = np.stack([nw + ne, ne + se, se + sw, sw + nw], axis=1) % c
+    return TileSet(WANG, np.unique(slots, axis=0), (c,) * 4, "summed")
+
+
+def shifted_wang_tiles(colors: int = 2) -> TileSet:
+    """2 C^2 Wang tiles, C a power of two, with a direct tiling from one bit per tile.
+
+    A bit b enters on either axis: S = 2 N + b and E = 2 W + b modulo C.
+    """
+    c = _colors(colors, 2)
+    if c & (c - 1):
+        raise TilewrightValueError(f"colors is {c}; the shifted set needs a power of two: 2, 4, 8 or 16")
+    n, w, b = (a.ravel() for a in np.indices((c, c, 2)))
+    slots = np.stack([n, (2 * w + b) % c, (2 * n + b) % c, w], axis=1)
+    return TileSet(WANG, slots, (c,) * 4, "shifted")
+
+
+def corner_coded_tiles(base: TileSet | None = None, *, scanline_only: bool = False) -> TileSet:
+    """A Wang set with every combination of marked and unmarked corners (Cohen et al. 2003, section 3.4).
+
+    Parameters
+    ----------
+    base : TileSet, optional
+        A set of Wang tiles; Cohen's 8 tiles by default, which gives 128.
+    scanline_only : bool
+        Keep half of them: three corners of a tile are known when it is placed in scanline order, so the
+        fourth may follow from them and the edges. Here the SE mark is the parity of the other marks and of
+        the tile's rank among those with the same N and W edges, which leaves the choice random.
+    """
+    base = cohen_tiles(8) if base is None else base
+    if base.shape is not WANG:
+        raise TilewrightValueError(f"base must be a set of Wang tiles, not of {base.shape.name} ones")
+    marks = decode(np.arange(16), (2,) * 4)
+    slots = np.concatenate(
+        [np.repeat(base.slots, 16, axis=0), np.tile(marks, (len(base), 1))], axis=1
+    )
+    name = "corner-coded"
+    if scanline_only:
+        rank = np.repeat(_rank_among_alike(base.slots[:, [0, 3]]), 16)
+        ne, se, sw, nw = slots[:, 4:].astype(int).T
+        slots = slots[(se + ne + sw + nw + rank) % 2 == 0]
+        name = "corner-coded-scanline"
+    return TileSet(CORNER_CODED, slots, base.colors + (2,) * 4, name)
+
+
+def _rank_among_alike(rows: NDArray[np.uint8]) -> NDArray[np.int64]:
+    """For each row, how many equal rows come before it."""
+    seen: dict[bytes, int] = {}
+    ranks = np.empty(len(rows), np.int64)
+    for t, row in enumerate(rows):
+        ranks[t] = seen[row.tobytes()] = seen.get(row.tobytes(), -1) + 1
+    return ranks
+
+
+def corner_cubes(colors: int = 2) -> TileSet:
+    """The complete set of corner cubes, C^8, for up to 4 colors.
+
+    Slots are the corners NE, SE, SW, NW of the upper face (U) and then of the lower face (D); for more
+    colors, `tilewright.tiles.encode` and `decode` give codes without listing the set.
+    """
+    return _complete(CORNER_CUBE, (_cube_colors(colors, CORNER_CUBE),) * 8)
+
+
+def compact_corner_cubes(colors: int = 2) -> TileSet:
+    """2 C^7 corner cubes: two for each way the other seven corners can be, SED last.
+
+    (SED - 2 NWU) mod C is 0 or 1: chains along the space diagonal. C is at most 4.
+    """
+    c = _cube_colors(colors, CORNER_CUBE)
+    full = _complete(CORNER_CUBE, (c,) * 8)
+    nwu, sed = (full.slots[:, CORNER_CUBE.slot(s)].astype(int) for s in ("NWU", "SED"))
+    return TileSet(CORNER_CUBE, full.slots[(sed - 2 * nwu) % c < 2], (c,) * 8, "compact-2")
+
+
+def wang_cubes(colors: int = 2) -> TileSet:
+    """The complete set of Wang cubes, C^6, for up to 4 colors. Slots are the faces N, E, S, W, U, D."""
+    return _complete(WANG_CUBE, (_cube_colors(colors, WANG_CUBE),) * 6)
+
+
+def compact_wang_cubes(colors: int = 2) -> TileSet:
+    """2 C^3 Wang cubes: two for each way the N, W and U faces can be.
+
+    S = N + b, E = W + b + N and D = U + b + W modulo C for b = 0 and 1. Over two colors 16 cubes thus suffice
+    to fill space non-periodically in scanline order, where Cohen et al. 2003, section 5, speak of 32.
+    """
+    c = _cube_colors(colors, WANG_CUBE)
+    n, w, u, b = (a.ravel() for a in np.indices((c, c, c, 2)))
+    slots = np.stack([n, w + b + n, n + b, w, u, u + b + w], axis=1) % c
+    return TileSet(WANG_CUBE, np.unique(slots, axis=0), (c,) * 6, "compact")
+
+
+def _cube_colors(colors: int, shape: Shape) -> int:
+    return check_int(
+        "colors",
+        colors,
+        1,
+        _MAX_ENUMERATED_CUBE_COLORS,
+        f"{shape.name} sets over more colors are not listed: use encode and decode for their codes",
+    )
+
+
+def count_complete(shape: Shape, colors: int) -> int:
+    """How many tiles the complete set of a shape has over C colors: C to the number of slots."""
+    return _colors(colors) ** len(shape.slots)
+
+
+def tile_set(slots: object, shape: str = "wang", *, name: str = "custom") -> TileSet:
+    """A set of one's own from a table of slot colors, one row per tile.
+
+    Parameters
+    ----------
+    slots : array-like of int, shape (T, S)
+        Columns in the order of the shape: N, E, S, W; NE, SE, SW, NW; see `Shape`.
+    shape : str
+        ``"domino"``, ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"wang-cube"`` or ``"corner-cube"``.
+    """
+    shapes = {s.name: s for s in (DOMINO, WANG, CORNER, CORNER_CODED, WANG_CUBE, CORNER_CUBE)}
+    if shape not in shapes:
+        raise TilewrightValueError(f"shape is {shape!r}; allowed are {', '.join(shapes)}")
+    return TileSet(shapes[shape], slots, name=name)  # type: ignore[arg-type]
+
+
+def as_wang_tiles(corners: TileSet) -> TileSet:
+    """The Wang set equivalent to a corner set: an edge color for each pair of corner colors.
+
+    The color of an edge whose ends are a (west or north) and b is a C + b (Lagae 2007, section 2.9).
+    """
+    if corners.shape is not CORNER:
+        raise TilewrightValueError(f"only corner sets have an equivalent Wang set, not {corners.shape.name} ones")
+    c = max(corners.colors)
+    ne, se, sw, nw = corners.slots.astype(int).T
+    slots = np.stack([nw * c + ne, ne * c + se, sw * c + se, nw * c + sw], axis=1)
+    return TileSet(WANG, slots, (c * c,) * 4, f"{corners.name} (from corners)")
+
+
+def _both(colors: int, vertical_colors: int | None) -> tuple[int, int]:
+    c_h = _colors(colors)
+    return c_h, c_h if vertical_colors is None else _colors(vertical_colors, name="vertical_colors")

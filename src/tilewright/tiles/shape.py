@@ -57,3 +57,20 @@ CORNER_CODED = Shape(
     _EDGES_AND_CORNERS,
     _joints(_EDGES_AND_CORNERS, "E-W NE-NW SE-SW", "S-N SW-NW SE-NE"),
 )
+
+# Cubes: x east, y south, z down; U is the upper face, at the cell's own z, D the lower one.
+_FACES = (*_NESW, "U", "D")
+_CUBE_CORNERS = tuple(corner + face for face in "UD" for corner in _CORNERS)
+
+DOMINO = Shape("domino", ("E", "W"), (((0, 1),),))
+WANG_CUBE = Shape("wang-cube", _FACES, _joints(_FACES, "E-W", "S-N", "D-U"))
+CORNER_CUBE = Shape(
+    "corner-cube",
+    _CUBE_CORNERS,
+    _joints(
+        _CUBE_CORNERS,
+        "NEU-NWU SEU-SWU NED-NWD SED-SWD",
+        "SWU-NWU SEU-NEU SWD-NWD SED-NED",
+        "NED-NEU SED-SEU SWD-SWU NWD-NWU",
+    ),
+)

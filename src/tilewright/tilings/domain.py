@@ -1,0 +1,67 @@
+"""Where there are cells: the endless plane, a cylinder, a torus, a rectangle."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightValueError, check_int
+
+LARGEST_CELL = 2**61
+_MOST_CELLS = 2**31
+
+
+@dataclass(frozen=True)
+class Domain:
+    """The cells of a tiling along each axis, x first.
+
+    Attributes
+    ----------
+    periods : per axis, the number of cells after which it repeats, or None.
+    bounds : per axis, (first, last + 1) cell, or None where it is endless.
+    """
+
+    periods: tuple[int | None, ...] = (None, None)
+    bounds: tuple[tuple[int, int] | None, ...] = (None, None)
+
+    @classmethod
+    def plane(cls, period: tuple[int | None, ...] | None, dimension: int = 2) -> "Domain":
+        """Endless along every axis, repeating after ``period`` cells where that is given."""
+        given = (None,) * dimension if period is None else tuple(period)
+        if len(given) != dimension:
+            raise TilewrightValueError(f"period has {len(given)} entries; expected {dimension}, x first")
+        checked = tuple(None if p is None else check_int("period", p, 1, 2**31) for p in given)
+        return cls(checked, (None,) * dimension)
+
+    @property
+    def kind(self) -> str:
+        """``plane``, ``cylinder``, ``torus`` or ``rectangle``, as far as the axes tell."""
+        if any(b is not None for b in self.bounds):
+            return "rectangle"
+        wrapped = sum(p is not None for p in self.periods)
+        return "plane" if wrapped == 0 else "torus" if wrapped == len(self.periods) else "cylinder"
+
+    def check_window(self, start: tuple[int, ...], extent: tuple[int, ...]) -> None:
+        """Raise unless a window of cells lies in the domain and is of a size that can be held."""
+        axes = "xyz"
+        for axis, (first, count) in enumerate(zip(start, extent, strict=True)):
+            size = ("width", "height", "depth")[axis]
+            check_int(size, count, 1, _MOST_CELLS)
+            check_int(axes[axis], first, -LARGEST_CELL, LARGEST_CELL - count)
+            bound = self.bounds[axis]
+            if bound is not None and not (bound[0] <= first and first + count <= bound[1]):
+                raise TilewrightValueError(
+                    f"cells {axes[axis]}={first} to {first + count - 1} are outside the tiling, "
+                    f"which has {bound[0]} to {bound[1] - 1}"
+                )
+        if int(np.prod(np.array(extent, dtype=object))) > _MOST_CELLS:
+            raise TilewrightValueError(
+                f"a window of {' x '.join(map(str, extent))} cells is too large; ask for at most 2^31 at once"
+            )
+
+    def wrap(self, axis: int, first: int, count: int) -> NDArray[np.int64]:
+        """``count`` cell or lattice coordinates from ``first`` on, folded into the period."""
+        period = self.periods[axis]
+        if period is None:
+            return np.arange(first, first + count, dtype=np.int64)
+        return (first % period + np.arange(count, dtype=np.int64)) % period

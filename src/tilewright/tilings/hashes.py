@@ -1,0 +1,204 @@
+"""Hash functions on the integer lattice: a color for every lattice point, without storing any."""
+
+from abc import ABC, abstractmethod
+from math import lcm
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
+
+Coordinates = NDArray[np.int64]
+
+
+class LatticeHash(ABC):
+    """Colors of lattice points of 1 to 3 dimensions.
+
+    A hash has any number of independent *streams*: two hash functions of one tiling are two streams.
+    """
+
+    name: str
+    period: int | None
+    """Period along every axis, or None where there is none within 64-bit coordinates."""
+
+    @abstractmethod
+    def words(self, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0) -> NDArray[np.int64]:
+        """Hash values at lattice points, 0 up to `range`; the arguments are broadcast."""
+
+    @property
+    @abstractmethod
+    def range(self) -> int:
+        """How many values `words` takes."""
+
+    def colors(
+        self, count: int, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0
+    ) -> NDArray[np.uint8]:
+        """Colors 0 up to ``count`` at lattice points; the arguments are broadcast."""
+        return (self.words(stream, x, y, z) % count).astype(np.uint8)
+
+    def grid(self, count: int, stream: int, x: Coordinates, y: Coordinates, z: int = 0) -> NDArray[np.uint8]:
+        """Colors of the grid of columns ``x`` and rows ``y``, shape (len(y), len(x))."""
+        return self.colors(count, stream, x[np.newaxis, :], y[:, np.newaxis], z)
+
+    def numbers(self, stream: int, x: ArrayLike, y: ArrayLike = 0) -> NDArray[np.int64]:
+        """Numbers 0 up to 2^24 at lattice points: several values in one where a hash has few."""
+        digits = 1
+        while self.range**digits < 2**24:
+            digits += 1
+        total: NDArray[np.int64] = np.zeros((), np.int64)
+        for digit in range(digits):
+            total = total * self.range + self.words(stream + 16 * digit, x, y)
+        return (total / self.range**digits * 2**24).astype(np.int64)
+
+
+class MixerHash(LatticeHash):
+    """The default: a table-free mixer made of 32-bit operations, alike in Python, GLSL and WGSL.
+
+    It has no period: every cell within 64-bit coordinates and every 64-bit seed is hashed on its own.
+    Its definition is in ``docs/hashes.md``.
+    """
+
+    name = "mixer"
+    period = None
+
+    def __init__(self, seed: int = 0) -> None:
+        self.seed = np.uint64(check_int("seed", seed, 0, 2**64 - 1)).astype(np.int64)
+
+    @property
+    def range(self) -> int:
+        return 2**32
+
+    def words(self, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0) -> NDArray[np.int64]:
+        from tilewright.kernels.lattice import fill_words
+
+        points = np.broadcast_arrays(*(np.asarray(c, np.int64) for c in (x, y, z)))
+        out = np.empty(points[0].size, np.uint32)
+        fill_words(*(np.ascontiguousarray(p).ravel() for p in points), stream, self.seed, out)
+        return out.astype(np.int64).reshape(points[0].shape)
+
+    def colors(
+        self, count: int, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0
+    ) -> NDArray[np.uint8]:
+        return (((self.words(stream, x, y, z) >> 8) * count) >> 24).astype(np.uint8)
+
+    def grid(self, count: int, stream: int, x: Coordinates, y: Coordinates, z: int = 0) -> NDArray[np.uint8]:
+        from tilewright.kernels.lattice import fill_colors
+
+        high = x >> 32
+        starts = np.concatenate([[0], np.flatnonzero(np.diff(high)) + 1])
+        out = np.empty((len(y), len(x)), np.uint8)
+        fill_colors(
+            x.astype(np.uint32),
+            np.append(starts, len(x)),
+            high[starts],
+            y,
+            np.int64(z),
+            stream,
+            self.seed,
+            np.uint32(count),
+            out,
+        )
+        return out
+
+    def numbers(self, stream: int, x: ArrayLike, y: ArrayLike = 0) -> NDArray[np.int64]:
+        return self.words(stream, x, y) >> 8
+
+
+class PermutationHash(LatticeHash):
+    """A permutation table looked up once for each coordinate (Lagae 2007, eq. 3.1, 3.3 and 3.4).
+
+    Parameters
+    ----------
+    seed : int
+        Shuffles the table; every stream has a table of its own.
+    size : int
+        Entries of the table, 2 to 65,536: the period along every axis, and the range.
+    """
+
+    name = "permutation"
+
+    def __init__(self, seed: int = 0, size: int = 256) -> None:
+        self.seed = check_int("seed", seed, 0, 2**64 - 1)
+        self.size = check_int("size", size, 2, 65536)
+        self._tables: dict[int, NDArray[np.int64]] = {}
+
+    @property
+    def range(self) -> int:
+        return self.size
+
+    @property
+    def period(self) -> int:  # type: ignore[override]
+        """The table's size."""
+        return self.size
+
+    def table(self, stream: int) -> NDArray[np.int64]:
+        """The permutation of a stream."""
+        if stream not in self._tables:
+            rng = np.random.default_rng([self.seed, self.size, stream])
+            self._tables[stream] = rng.permutation(self.size)
+        return self._tables[stream]
+
+    def words(self, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0) -> NDArray[np.int64]:
+        table, n = self.table(stream), self.size
+        value = table[np.asarray(x, np.int64) % n]
+        value = table[(value + np.asarray(y, np.int64) % n) % n]
+        return table[(value + np.asarray(z, np.int64) % n) % n]
+
+
+class LongPeriodHash(LatticeHash):
+    """The sum of several permutation-table hashes (Lagae 2007, eq. 3.5 to 3.7).
+
+    Parameters
+    ----------
+    seed : int
+    sizes : sequence of int
+        Table sizes; the period is their least common multiple.
+    range : int
+        The final divisor N_j, one of the sizes.
+    """
+
+    name = "long-period"
+
+    def __init__(
+        self, seed: int = 0, sizes: tuple[int, ...] = (17, 19, 23, 24, 29, 31, 37), range: int = 24
+    ) -> None:
+        if not sizes:
+            raise TilewrightValueError("sizes is empty; a long-period hash needs at least one table")
+        if range not in sizes:
+            raise TilewrightValueError(f"range is {range}; it must be one of the sizes {tuple(sizes)}")
+        self.parts = tuple(PermutationHash(seed, size) for size in sizes)
+        self._range = range
+
+    @classmethod
+    def for_tilings(cls, seed: int = 0) -> "LongPeriodHash":
+        """The thesis's design for 2, 3, 4, 6 or 8 colors: period 5,930,659,848 (section 3.4.3)."""
+        return cls(seed)
+
+    @classmethod
+    def for_noise(cls, seed: int = 0) -> "LongPeriodHash":
+        """The thesis's design for Perlin noise: range 16, period 739,024 (section 3.4.4)."""
+        return cls(seed, (11, 13, 16, 17, 19), 16)
+
+    @property
+    def range(self) -> int:
+        return self._range
+
+    @property
+    def period(self) -> int:  # type: ignore[override]
+        """Least common multiple of the table sizes."""
+        return lcm(*(part.size for part in self.parts))
+
+    def words(self, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0) -> NDArray[np.int64]:
+        return sum(part.words(stream, x, y, z) for part in self.parts) % self._range
+
+
+def make_hash(given: LatticeHash | str, seed: int) -> LatticeHash:
+    """A hash by name (``"mixer"``, ``"permutation"``, ``"long-period"``), or one given as it is."""
+    if isinstance(given, LatticeHash):
+        return given
+    kinds = {"mixer": MixerHash, "permutation": PermutationHash, "long-period": LongPeriodHash}
+    if not isinstance(given, str):
+        raise TilewrightTypeError(f"hash must be a name or a LatticeHash, not {given!r}")
+    if given not in kinds:
+        raise TilewrightValueError(f"hash is {given!r}; allowed are {', '.join(kinds)}")
+    return kinds[given](seed)  # type: ignore[no-any-return]

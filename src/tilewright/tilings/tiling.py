@@ -1,0 +1,130 @@
+"""Which tile goes where: what every tiling answers, and tilings that are stored."""
+
+from abc import ABC, abstractmethod
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.tiles import TileSet
+from tilewright.tilings.domain import Domain
+
+
+class Tiling(ABC):
+    """A tile for every cell of a domain.
+
+    Attributes
+    ----------
+    tiles : TileSet
+    domain : Domain
+    """
+
+    tiles: TileSet
+    domain: Domain
+
+    def indices(self, *window: int, out: NDArray[np.int32] | None = None) -> NDArray[np.int32]:
+        """Tile indices of a window of cells, equal to the same cells of any other window.
+
+        Parameters
+        ----------
+        *window : int
+            ``x, y, width, height`` for square tiles; ``x, width`` for dominoes; ``x, y, z, width, height,
+            depth`` for cubes. Cells are within +-2^61.
+        out : int32 array, shape (height, width), optional
+            Filled and returned.
+
+        Returns
+        -------
+        int32 array, shape (height, width); (width,) for dominoes, (depth, height, width) for cubes.
+        """
+        dimension = self.tiles.shape.dimension
+        if len(window) != 2 * dimension:
+            raise TilewrightTypeError(
+                f"indices() of {self.tiles.shape.name} tiles takes {2 * dimension} numbers: "
+                f"{', '.join('xyz'[:dimension])} and {', '.join(('width', 'height', 'depth')[:dimension])}"
+            )
+        start, extent = window[:dimension], window[dimension:]
+        self.domain.check_window(start, extent)
+        shape = tuple(int(e) for e in reversed(extent))
+        if out is None:
+            out = np.empty(shape, np.int32)
+        elif out.shape != shape or out.dtype != np.int32:
+            raise TilewrightValueError(f"out is {out.dtype} {out.shape}; expected int32 {shape}")
+        self._fill(tuple(int(s) for s in start), out)
+        return out
+
+    @abstractmethod
+    def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:
+        """Write the tiles of the window that starts at cell ``start`` into ``out``."""
+
+
+class ArrayTiling(Tiling):
+    """A stored tiling: a rectangle of cells from (0, 0) on, or a torus of them.
+
+    Parameters
+    ----------
+    tiles : TileSet
+    indices : array-like of int, shape (height, width); (width,) or (depth, height, width)
+    torus : bool
+        Whether the tiling goes on periodically in every direction.
+
+    Raises
+    ------
+    TilewrightValueError
+        An index out of range, or two neighboring tiles that do not match; the message names the first.
+    """
+
+    def __init__(self, tiles: TileSet, indices: ArrayLike, *, torus: bool = False) -> None:
+        cells = np.asarray(indices)
+        if cells.dtype.kind not in "iu":
+            raise TilewrightTypeError(f"indices must be integers, not {cells.dtype}")
+        if cells.ndim != tiles.shape.dimension or cells.size == 0:
+            raise TilewrightValueError(
+                f"indices has shape {cells.shape}; {tiles.shape.name} tiles need {tiles.shape.dimension} axes, "
+                "none of them empty"
+            )
+        if cells.min() < 0 or cells.max() >= len(tiles):
+            raise TilewrightValueError(
+                f"indices runs from {cells.min()} to {cells.max()}; the set has tiles 0 to {len(tiles) - 1}"
+            )
+        self.tiles = tiles
+        self.cells = cells.astype(np.int32)
+        self.cells.setflags(write=False)
+        extent = tuple(reversed(cells.shape))
+        none = (None,) * cells.ndim
+        self.domain = Domain(extent, none) if torus else Domain(none, tuple((0, n) for n in extent))
+        fault = first_mismatch(tiles, self.cells, torus=torus)
+        if fault is not None:
+            raise TilewrightValueError(fault)
+
+    def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:
+        axes = [self.domain.wrap(a, first, n) for a, (first, n) in enumerate(zip(start, reversed(out.shape), strict=True))]
+        out[...] = self.cells[np.ix_(*reversed(axes))]
+
+
+def first_mismatch(tiles: TileSet, cells: NDArray[Any], *, torus: bool) -> str | None:
+    """What is wrong at the first joint where neighboring tiles disagree, or None."""
+    for axis, joint in enumerate(tiles.shape.joints):
+        array_axis = cells.ndim - 1 - axis
+        far_tiles, near_tiles = cells, np.roll(cells, -1, array_axis)
+        if not torus:
+            keep = [slice(None)] * cells.ndim
+            keep[array_axis] = slice(0, -1)
+            far_tiles, near_tiles = far_tiles[tuple(keep)], near_tiles[tuple(keep)]
+        for far, near in joint:
+            wrong = np.argwhere(tiles.slots[far_tiles, far] != tiles.slots[near_tiles, near])
+            if len(wrong):
+                at = tuple(wrong[0])
+                cell = ", ".join(f"{'xyz'[n]}={c}" for n, c in enumerate(reversed(at)))
+                return (
+                    f"the tiles at cell {cell} and its neighbor along {'xyz'[axis]} do not match: "
+                    f"{tiles.shape.slots[far]} is {tiles.slots[far_tiles[at], far]}, "
+                    f"{tiles.shape.slots[near]} is {tiles.slots[near_tiles[at], near]}"
+                )
+    return None
+
+
+def array_tiling(tiles: TileSet, indices: ArrayLike, *, torus: bool = False) -> ArrayTiling:
+    """A tiling from a given array of tile indices, checked; see `ArrayTiling`."""
+    return ArrayTiling(tiles, indices, torus=torus)
