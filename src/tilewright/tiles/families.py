@@ -150,9 +150,7 @@ def corner_coded_tiles(base: TileSet | None = None, *, scanline_only: bool = Fal
     if base.shape is not WANG:
         raise TilewrightValueError(f"base must be a set of Wang tiles, not of {base.shape.name} ones")
     marks = decode(np.arange(16), (2,) * 4)
-    slots = np.concatenate(
-        [np.repeat(base.slots, 16, axis=0), np.tile(marks, (len(base), 1))], axis=1
-    )
+    slots = np.concatenate([np.repeat(base.slots, 16, axis=0), np.tile(marks, (len(base), 1))], axis=1)
     name = "corner-coded"
     if scanline_only:
         rank = np.repeat(_rank_among_alike(base.slots[:, [0, 3]]), 16)
@@ -245,7 +243,9 @@ def as_wang_tiles(corners: TileSet) -> TileSet:
     The color of an edge whose ends are a (west or north) and b is a C + b (Lagae 2007, section 2.9).
     """
     if corners.shape is not CORNER:
-        raise TilewrightValueError(f"only corner sets have an equivalent Wang set, not {corners.shape.name} ones")
+        raise TilewrightValueError(
+            f"only corner sets have an equivalent Wang set, not {corners.shape.name} ones"
+        )
     c = max(corners.colors)
     ne, se, sw, nw = corners.slots.astype(int).T
     slots = np.stack([nw * c + ne, ne * c + se, sw * c + se, nw * c + sw], axis=1)

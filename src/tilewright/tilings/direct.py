@@ -33,6 +33,7 @@ from tilewright.tilings.tiling import Tiling
 
 Colors = NDArray[np.uint8]
 Slots = tuple[Colors, ...]
+Place = Callable[[NDArray[np.int64], NDArray[np.int64]], tuple[NDArray[np.int64], NDArray[np.int64]]]
 _FIRST, _SECOND, _MARKS, _BITS = 0, 1, 4, 5
 """Streams of the hash; 2 and 3 belong to chains."""
 
@@ -45,17 +46,19 @@ class DirectTiling(Tiling):
         self.hash = hash
         self.domain = domain
         self.algorithm = algorithm
-        self._slots = ALGORITHMS[algorithm]
         self._index = None if tiles.is_complete else _index_by_code(tiles)
 
     def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:
         extent = tuple(reversed(out.shape))
-        if self.tiles.is_complete and self.algorithm in ("corners", "edges") and out.ndim == 2:
+        if type(self) is DirectTiling and self.algorithm in ("corners", "edges") and out.ndim == 2:
             self._fill_complete(start, extent, out)
             return
-        slots = self._slots(self, start, extent)
-        codes = encode(np.stack(slots, axis=-1), self.tiles.colors)
+        codes = encode(np.stack(self.slots(start, extent), axis=-1), self.tiles.colors)
         out[...] = codes if self._index is None else self._index(codes)
+
+    def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
+        """Colors of every slot of a window of tiles, one array like the window for each slot."""
+        return ALGORITHMS[self.algorithm](self, start, extent)
 
     def _fill_complete(self, start: tuple[int, ...], extent: tuple[int, ...], out: NDArray[np.int32]) -> None:
         """The two common cases, without an array for each slot."""
@@ -108,7 +111,7 @@ def direct(
     """
     check_int("seed", seed, 0, 2**64 - 1)
     check_choice("wang", wang, ("edge-hash", "two-hashes"))
-    algorithm = _recognize(tiles)
+    algorithm = recognize(tiles)
     if algorithm is None:
         raise TilewrightValueError(
             f"no direct tiling is known for the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; "
@@ -116,14 +119,16 @@ def direct(
         )
     if algorithm == "edges" and wang == "two-hashes":
         algorithm = "two-hashes"
-    tiling = DirectTiling(tiles, make_hash(hash, seed), Domain.plane(period, tiles.shape.dimension), algorithm)
+    tiling = DirectTiling(
+        tiles, make_hash(hash, seed), Domain.plane(period, tiles.shape.dimension), algorithm
+    )
     if algorithm in ("diagonals", "columns", "space-diagonals"):
         _chains(tiling)  # refuses periods that are too short
     return tiling
 
 
-def _recognize(tiles: TileSet) -> str | None:
-    """The algorithm that goes with a set, told by its slots."""
+def recognize(tiles: TileSet) -> str | None:
+    """Name of the algorithm that goes with a set, told by its slots; None where there is none."""
     if tiles.is_complete and tiles.shape in (CORNER, CORNER_CUBE):
         return "corners"
     if tiles.is_complete and tiles.shape in (WANG, WANG_CUBE):
@@ -185,7 +190,7 @@ def corner_colors(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[in
     if len(axes) == 3:
         x, y, z = axes
         return np.stack([tiling.hash.grid(count, stream, x, y, int(layer)) for layer in z])
-    return tiling.hash.grid(count, stream, *axes)
+    return tiling.hash.grid(count, stream, axes[0], axes[1])
 
 
 def _corners_to_slots(c: Colors) -> Slots:
@@ -204,7 +209,9 @@ def corners(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, ...
     return _corners_to_slots(corner_colors(tiling, start, extent))
 
 
-def edge_colors(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, ...]) -> tuple[Colors, Colors]:
+def edge_colors(
+    tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, ...]
+) -> tuple[Colors, Colors]:
     """Colors of the horizontal and the vertical edges around a window of square tiles.
 
     One hash on a lattice twice as dense: edges lie where exactly one coordinate is odd (Lagae 2007,
@@ -229,7 +236,9 @@ def edges(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, ...])
 
 def _faces(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
     """Faces of cubes lie on the doubled lattice where exactly one coordinate is even."""
-    x, y, z = (2 * tiling.domain.wrap(a, s, n + 1) for a, (s, n) in enumerate(zip(start, extent, strict=True)))
+    x, y, z = (
+        2 * tiling.domain.wrap(a, s, n + 1) for a, (s, n) in enumerate(zip(start, extent, strict=True))
+    )
     colors = tiling.tiles.colors
 
     def grid(slot: int, xs: NDArray[np.int64], ys: NDArray[np.int64], zs: NDArray[np.int64]) -> Colors:
@@ -245,7 +254,7 @@ def two_hashes(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, 
     """Complete Wang sets from sums of two corner colorings (Lagae 2007, section 3.3.2.1)."""
     axes = [tiling.domain.wrap(a, s, n + 1) for a, (s, n) in enumerate(zip(start, extent, strict=True))]
     c_h, c_v = tiling.tiles.colors[:2]
-    h, v = tiling.hash.grid(c_h, _FIRST, *axes), tiling.hash.grid(c_v, _SECOND, *axes)
+    h, v = tiling.hash.grid(c_h, _FIRST, axes[0], axes[1]), tiling.hash.grid(c_v, _SECOND, axes[0], axes[1])
     horizontal = (h[:, :-1] + h[:, 1:]) % c_h
     vertical = (v[:-1] + v[1:]) % c_v
     return horizontal[:-1], vertical[:, 1:], horizontal[1:], vertical[:, :-1]
@@ -255,7 +264,7 @@ def sums(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, ...]) 
     """The C^3 Wang set from one corner coloring (Lagae 2007, section 3.3.2.2)."""
     axes = [tiling.domain.wrap(a, s, n + 1) for a, (s, n) in enumerate(zip(start, extent, strict=True))]
     count = tiling.tiles.colors[0]
-    c = tiling.hash.grid(count, _FIRST, *axes)
+    c = tiling.hash.grid(count, _FIRST, axes[0], axes[1])
     horizontal, vertical = (c[:, :-1] + c[:, 1:]) % count, (c[:-1] + c[1:]) % count
     return horizontal[:-1], vertical[:, 1:], horizontal[1:], vertical[:, :-1]
 
@@ -264,7 +273,9 @@ def bits(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, ...]) 
     """`shifted_wang_tiles`: an edge's color is the bits of the m tiles before it, C = 2^m."""
     (x, y), (w, h) = start, extent
     m = tiling.tiles.colors[0].bit_length() - 1
-    beta = tiling.hash.grid(2, _BITS, tiling.domain.wrap(0, x - m, w + m), tiling.domain.wrap(1, y - m, h + m))
+    beta = tiling.hash.grid(
+        2, _BITS, tiling.domain.wrap(0, x - m, w + m), tiling.domain.wrap(1, y - m, h + m)
+    )
     north = _history(beta[:, m:], m, h)
     west = _history(beta[m:].T, m, w).T
     return north[:-1], west[:, 1:], north[1:], west[:, :-1]
@@ -285,13 +296,15 @@ def ends(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, ...]) 
     return c[1:], c[:-1]
 
 
-def _chains(tiling: DirectTiling) -> tuple[Chains, Callable[..., tuple[NDArray[np.int64], NDArray[np.int64]]]]:
+def _chains(
+    tiling: DirectTiling,
+) -> tuple[Chains, Place]:
     """The chains of a compact corner set, and where (chain, position) a lattice point lies on them."""
     c = tiling.tiles.colors[0]
     px, py = (*tiling.domain.periods, None)[:2]
     if tiling.algorithm == "columns":
         digits = round(len(tiling.tiles) ** 0.5) // c
-        return Chains(tiling.hash, c, digits, py), lambda x, y: np.broadcast_arrays(x, y)
+        return Chains(tiling.hash, c, digits, py), lambda x, y: (x + 0 * y, y + 0 * x)
     if tiling.algorithm == "space-diagonals":
         if any(tiling.domain.periods):
             raise TilewrightValueError("periods are not offered for compact corner cubes")
@@ -319,7 +332,9 @@ def diagonals(tiling: DirectTiling, start: tuple[int, ...], extent: tuple[int, .
     """Compact corner sets: every north-west to south-east diagonal is a chain."""
     chains, place = _chains(tiling)
     # Where only one axis repeats, positions run along the other, unwrapped.
-    x, y = (_unwrapped_or_wrapped(tiling, a, s, n + 1) for a, (s, n) in enumerate(zip(start, extent, strict=True)))
+    x, y = (
+        _unwrapped_or_wrapped(tiling, a, s, n + 1) for a, (s, n) in enumerate(zip(start, extent, strict=True))
+    )
     return _corners_to_slots(chains.color(*place(x[np.newaxis, :], y[:, np.newaxis])))
 
 

@@ -189,7 +189,8 @@ class LongPeriodHash(LatticeHash):
         return lcm(*(part.size for part in self.parts))
 
     def words(self, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0) -> NDArray[np.int64]:
-        return sum(part.words(stream, x, y, z) for part in self.parts) % self._range
+        words = [part.words(stream, x, y, z) for part in self.parts]
+        return np.sum(np.stack(np.broadcast_arrays(*words)), axis=0) % self._range
 
 
 def make_hash(given: LatticeHash | str, seed: int) -> LatticeHash:

@@ -78,4 +78,4 @@ def _dead_end(tiles: TileSet, x: int, y: int, west: int, north: int) -> str:
             if tile >= 0:
                 wanted[tiles.shape.slots[near]] = int(tiles.slots[tile, far])
     colors = ", ".join(f"{slot}={color}" for slot, color in wanted.items())
-    return f"scanline tiling is at a dead end at cell x={x}, y={y}: the {tiles.name} set has no tile with {colors}"
+    return f"dead end at cell x={x}, y={y}: the {tiles.name} set has no tile with {colors}"

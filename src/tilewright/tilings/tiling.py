@@ -81,8 +81,8 @@ class ArrayTiling(Tiling):
             raise TilewrightTypeError(f"indices must be integers, not {cells.dtype}")
         if cells.ndim != tiles.shape.dimension or cells.size == 0:
             raise TilewrightValueError(
-                f"indices has shape {cells.shape}; {tiles.shape.name} tiles need {tiles.shape.dimension} axes, "
-                "none of them empty"
+                f"indices has shape {cells.shape}; {tiles.shape.name} tiles need "
+                f"{tiles.shape.dimension} axes, none of them empty"
             )
         if cells.min() < 0 or cells.max() >= len(tiles):
             raise TilewrightValueError(
@@ -99,7 +99,10 @@ class ArrayTiling(Tiling):
             raise TilewrightValueError(fault)
 
     def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:
-        axes = [self.domain.wrap(a, first, n) for a, (first, n) in enumerate(zip(start, reversed(out.shape), strict=True))]
+        axes = [
+            self.domain.wrap(a, first, n)
+            for a, (first, n) in enumerate(zip(start, reversed(out.shape), strict=True))
+        ]
         out[...] = self.cells[np.ix_(*reversed(axes))]
 
 

@@ -1,0 +1,132 @@
+"""Tilings steered by a map: where corners are marked follows a picture or a function."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice, check_real
+from tilewright.tiles import CORNER, CORNER_CODED, TileSet
+from tilewright.tilings.direct import DirectTiling, Slots, recognize
+from tilewright.tilings.domain import Domain
+from tilewright.tilings.hashes import LatticeHash, make_hash
+
+Density = Callable[[NDArray[np.float64], NDArray[np.float64]], ArrayLike]
+_DENSITY = 8
+"""Stream of the hash that is compared with the density."""
+
+
+class DensityTiling(DirectTiling):
+    """A direct tiling whose marked corners follow a density; made by `density_tiling`."""
+
+    def __init__(self, tiles: TileSet, hash: LatticeHash, algorithm: str, density: Density) -> None:
+        super().__init__(tiles, hash, Domain.plane(None), algorithm)
+        self.density = density
+
+    def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
+        """The slots of a window, with corner colors drawn from the marked or the unmarked half."""
+        (x, y), (w, h) = start, extent
+        columns, rows = np.arange(x, x + w + 1, dtype=np.int64), np.arange(y, y + h + 1, dtype=np.int64)
+        grid = np.broadcast_arrays(columns[np.newaxis, :], rows[:, np.newaxis])
+        marked = self.hash.numbers(_DENSITY, *grid) < self.marks(columns, rows) * 2.0**24
+        colors = self.tiles.colors[-1]
+        plain = (colors + 1) // 2
+        low = self.hash.grid(plain, 0, columns, rows)
+        high = plain + self.hash.grid(max(1, colors - plain), 1, columns, rows)
+        corner = np.where(marked, high, low).astype(np.uint8)
+        slots: Slots = corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1], corner[:-1, :-1]
+        if self.tiles.shape is CORNER:
+            return slots
+        return super().slots(start, extent)[:4] + slots
+
+    def marks(self, columns: NDArray[np.int64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
+        """The density at the lattice points of a grid, checked, shape (len(rows), len(columns))."""
+        x, y = np.meshgrid(columns.astype(float), rows.astype(float))
+        values = np.broadcast_to(np.asarray(self.density(x, y), float), x.shape)
+        if not ((values >= 0) & (values <= 1)).all():
+            raise TilewrightValueError("the density function gave values outside 0 to 1 (or NaN)")
+        return values
+
+
+def density_tiling(
+    tiles: TileSet,
+    density: Density | ArrayLike,
+    seed: int = 0,
+    *,
+    cells_per_pixel: float = 1.0,
+    outside: str = "clamp",
+    hash: LatticeHash | str = "mixer",
+) -> DensityTiling:
+    """An endless tiling whose corners are marked with the probability a map gives.
+
+    The upper half of the corner colors are the marked ones, as in two-source texture tiles (Cohen et al.
+    2003, section 3.5). Marks are fixed by the map, so every combination of them must be in the set.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        A complete corner set over 2 colors or more, or a corner-coded set with all 16 marks (128 tiles over
+        Cohen's 8).
+    density : function or 2D array
+        ``f(x, y)`` of lattice points (arrays of float) that returns the probability, 0 to 1; or a gray map:
+        floats 0 to 1, or integers of their type's range. Pixel (0, 0) of a map covers the cells from (0, 0).
+    seed : int
+    cells_per_pixel : float
+        Size of a map's pixels in cells; values between pixel centers are interpolated.
+    outside : str
+        ``"clamp"`` repeats the map's border, ``"repeat"`` the map.
+    """
+    algorithm = recognize(tiles)
+    if not (
+        (tiles.shape is CORNER and algorithm == "corners" and tiles.colors[0] > 1)
+        or (tiles.shape is CORNER_CODED and algorithm is not None)
+    ):
+        raise TilewrightValueError(
+            "a density needs a complete corner set or a corner-coded set with all marks; "
+            f"the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles is neither"
+        )
+    if not callable(density):
+        check_choice("outside", outside, ("clamp", "repeat"))
+        size = check_real("cells_per_pixel", cells_per_pixel, 1e-6, 1e9)
+        density = _interpolate(_as_gray(density), size, outside)
+    return DensityTiling(tiles, make_hash(hash, seed), algorithm or "", density)
+
+
+def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
+    map_ = np.asarray(given)
+    if map_.ndim == 3 and map_.shape[2] == 1:
+        map_ = map_[..., 0]
+    if map_.ndim != 2 or map_.size == 0:
+        raise TilewrightValueError(f"the density map has shape {map_.shape}; expected (height, width)")
+    if map_.dtype.kind == "u":
+        return map_ / np.iinfo(map_.dtype).max
+    if map_.dtype.kind == "b":
+        return map_.astype(float)
+    if map_.dtype.kind != "f":
+        raise TilewrightTypeError(
+            f"the density map has type {map_.dtype}; allowed are floats, bool and unsigned integers"
+        )
+    values = map_.astype(float)
+    if not ((values >= 0) & (values <= 1)).all():
+        raise TilewrightValueError("the density map has values outside 0 to 1 (or NaN)")
+    return values
+
+
+def _interpolate(gray: NDArray[np.float64], size: float, outside: str) -> Density:
+    def density(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[Any]:
+        column, row = x / size - 0.5, y / size - 0.5
+        left, top = np.floor(column).astype(np.int64), np.floor(row).astype(np.int64)
+        dx, dy = column - left, row - top
+
+        def at(i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.float64]:
+            h, w = gray.shape
+            if outside == "repeat":
+                return gray[i % h, j % w]
+            return gray[i.clip(0, h - 1), j.clip(0, w - 1)]
+
+        upper = at(top, left) * (1 - dx) + at(top, left + 1) * dx
+        lower = at(top + 1, left) * (1 - dx) + at(top + 1, left + 1) * dx
+        return upper * (1 - dy) + lower * dy
+
+    return density
