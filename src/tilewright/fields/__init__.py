@@ -1,1 +1,5 @@
+"""Signals on tilings, evaluated anywhere."""
 
+from tilewright.fields.texture_field import TextureField
+
+__all__ = ["TextureField"]

@@ -1,0 +1,137 @@
+"""A texture over a tiling: pixels of any window of an endless plane."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import Progress, TilewrightValueError, check_choice, check_int
+from tilewright.files.images import check_writable
+from tilewright.files.streams import stream_image
+from tilewright.signals.textures import TextureTiles
+from tilewright.tilings import Tiling
+from tilewright.tilings.domain import LARGEST_CELL
+
+_LARGEST_SIDE = 2**31 - 1
+
+
+class TextureField:
+    """Texture tiles laid by a tiling.
+
+    Parameters
+    ----------
+    material : TextureTiles
+    tiling : Tiling
+        A tiling of the same tile set.
+
+    Notes
+    -----
+    Pixel (0, 0) is the north-west pixel of cell (0, 0); x grows east and y grows south. Cells reach
+    to +-2^61, so pixel coordinates are Python integers of any size up to that many tiles.
+    """
+
+    def __init__(self, material: TextureTiles, tiling: Tiling) -> None:
+        ours, theirs = material.tiles, tiling.tiles
+        if ours.shape is not theirs.shape or not np.array_equal(ours.slots, theirs.slots):
+            raise TilewrightValueError(
+                f"the material is made for {ours!r}, the tiling lays {theirs!r}; they must be the same set"
+            )
+        self.material = material
+        self.tiling = tiling
+
+    def render(
+        self,
+        x: int = 0,
+        y: int = 0,
+        width: int = 1024,
+        height: int = 1024,
+        *,
+        map: str | None = None,
+        out: NDArray[Any] | None = None,
+    ) -> NDArray[Any]:
+        """Pixels of a window, equal to the same pixels of any other window.
+
+        Parameters
+        ----------
+        x, y : int
+            North-west pixel.
+        width, height : int
+            Pixels.
+        map : str, optional
+            Which map; the main one by default.
+        out : array, shape (height, width, channels) of the map's type, C-contiguous, optional
+            Filled and returned.
+
+        Returns
+        -------
+        array, shape (height, width, channels), of the map's type
+        """
+        from tilewright.kernels.assembly import copy_tiles
+
+        tiles = self._map(map)
+        size, channels = tiles.shape[1], tiles.shape[3]
+        column, left, columns = self._cells("x", x, "width", width)
+        row, top, rows = self._cells("y", y, "height", height)
+        if out is None:
+            out = np.empty((height, width, channels), tiles.dtype)
+        elif out.shape != (height, width, channels) or out.dtype != tiles.dtype or not out.flags.c_contiguous:
+            raise TilewrightValueError(
+                f"out is {out.dtype} {out.shape}; expected {tiles.dtype} {(height, width, channels)}, "
+                "C-contiguous"
+            )
+        pixel = channels * tiles.itemsize
+        copy_tiles(
+            np.ascontiguousarray(tiles).view(np.uint8).reshape(len(tiles), size, size * pixel),
+            self.tiling.indices(column, row, columns, rows),
+            top,
+            left,
+            size,
+            pixel,
+            out.view(np.uint8).reshape(height, width * pixel),
+        )
+        return out
+
+    def save(
+        self,
+        path: str | Path,
+        x: int = 0,
+        y: int = 0,
+        width: int = 1024,
+        height: int = 1024,
+        *,
+        map: str | None = None,
+        progress: Progress | None = None,
+    ) -> None:
+        """Render a window to a file, a band of rows at a time, in memory that does not grow with height.
+
+        ``.tif`` becomes a tiled BigTIFF, ``.png`` holds 8 and 16 bit, ``.exr`` holds float. The file
+        appears when it is complete; raise `Cancelled` in ``progress`` to stop.
+        """
+        tiles = self._map(map)
+        check_writable(Path(path), tiles.dtype)
+        self._cells("x", x, "width", width)
+        self._cells("y", y, "height", height)
+
+        def band(first: int, count: int) -> NDArray[Any]:
+            if progress is not None:
+                progress(first, height, f"rendering {Path(path).name}")
+            return self.render(x, y + first, width, count, map=map)
+
+        stream_image(path, band, height, width, tiles.shape[3], tiles.dtype)
+        if progress is not None:
+            progress(height, height, f"rendering {Path(path).name}")
+
+    def _map(self, name: str | None) -> NDArray[Any]:
+        if name is None:
+            return self.material.pixels
+        return self.material.maps[check_choice("map", name, tuple(self.material.maps))]
+
+    def _cells(self, axis: str, first: int, extent: str, count: int) -> tuple[int, int, int]:
+        """First cell of a range of pixels, pixels of it to skip, and the number of cells."""
+        size = self.material.tile_size
+        reach = LARGEST_CELL * size
+        count = check_int(extent, count, 1, _LARGEST_SIDE)
+        first = check_int(axis, first, -reach, reach - count)
+        cell, skipped = divmod(first, size)
+        return cell, skipped, (skipped + count - 1) // size + 1

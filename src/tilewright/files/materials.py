@@ -1,0 +1,92 @@
+"""From photographs to texture tiles: opens what a person brings and synthesizes."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.files.images import read_image
+from tilewright.signals.textures import Exemplar, TextureTiles, synthesize
+from tilewright.tiles import TileSet, corner_tiles
+
+Picture = str | Path | NDArray[Any]
+Photo = Picture | Mapping[str, Picture]
+
+
+def open_exemplar(
+    photo: Photo,
+    *,
+    second: Photo | None = None,
+    mask: Picture | None = None,
+    second_mask: Picture | None = None,
+    weights: dict[str, float] | None = None,
+) -> Exemplar:
+    """An exemplar from files or arrays.
+
+    Parameters
+    ----------
+    photo : path, array of shape (h, w) or (h, w, channels), or dict of map name to either
+        A single picture becomes the map ``"albedo"``.
+    second : the same, optional
+        The source of the marked corners of an inhomogeneous set.
+    mask, second_mask : path or array, optional
+        Pixels that may be copied: those at least half as bright as white.
+    weights : dict of map name to float, optional
+        How much a map counts when patches are matched and cut.
+    """
+    photos = [_open_maps(photo)] + ([] if second is None else [_open_maps(second)])
+    masks = [_open_mask(mask)] + ([] if second is None else [_open_mask(second_mask)])
+    return Exemplar(photos, masks, weights)
+
+
+def texture_tiles(
+    photo: Photo,
+    tiles: TileSet | None = None,
+    *,
+    second: Photo | None = None,
+    mask: Picture | None = None,
+    second_mask: Picture | None = None,
+    weights: dict[str, float] | None = None,
+    **options: Any,
+) -> TextureTiles:
+    """Texture tiles from a photograph; see `open_exemplar` for the pictures.
+
+    Parameters
+    ----------
+    tiles : TileSet, optional
+        The complete corner set over 2 colors by default, over 4 with two photographs.
+    **options
+        ``tile_size``, ``seed``, ``method``, ``pick``, ``reject``, ``threads`` and ``progress``, as in
+        `tilewright.synthesize`.
+    """
+    exemplar = open_exemplar(photo, second=second, mask=mask, second_mask=second_mask, weights=weights)
+    return synthesize(exemplar, tiles or corner_tiles(2 if second is None else 4), **options)
+
+
+def _open_maps(photo: Photo) -> dict[str, NDArray[Any]]:
+    if isinstance(photo, Mapping):
+        if not photo:
+            raise TilewrightValueError("photo is an empty dict; at least one map is needed")
+        return {str(name): _open(picture, f"map {name!r}") for name, picture in photo.items()}
+    return {"albedo": _open(photo, "photo")}
+
+
+def _open(picture: Picture, what: str) -> NDArray[Any]:
+    if isinstance(picture, (str, Path)):
+        return read_image(picture)
+    if isinstance(picture, np.ndarray):
+        return picture
+    raise TilewrightTypeError(f"{what} must be a path or an array, not {type(picture).__name__}")
+
+
+def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:
+    if mask is None:
+        return None
+    pixels = _open(mask, "mask")
+    if pixels.ndim == 3:
+        pixels = pixels[..., : min(3, pixels.shape[2])].mean(axis=2).astype(pixels.dtype)
+    white = np.iinfo(pixels.dtype).max if pixels.dtype.kind == "u" else 1
+    return pixels.astype(bool) if pixels.dtype == bool else pixels >= white / 2
