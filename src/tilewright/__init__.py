@@ -4,8 +4,7 @@ The public names below load on first use, so that ``import tilewright`` stays fa
 neither numba nor scipy.
 """
 
-from importlib import import_module
-from typing import Any
+from tilewright.lazy import load_lazily
 
 __version__ = "0.1.0"
 
@@ -62,15 +61,4 @@ _HOME = {
 }
 
 __all__ = ["__version__", *_HOME]
-
-
-def __getattr__(name: str) -> Any:
-    if name not in _HOME:
-        raise AttributeError(f"module 'tilewright' has no attribute {name!r}")
-    value = getattr(import_module(f"tilewright.{_HOME[name]}"), name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted(__all__)
+__getattr__, __dir__ = load_lazily(__name__, _HOME)

@@ -48,11 +48,11 @@ def read_image(path: str | Path) -> NDArray[Any]:
             )
         wanted = "float" if kind is np.float32 else str(spec.format)
         pixels = source.read_image(0, 0, 0, min(spec.nchannels, 4), wanted)
-        broken = pixels is None or bool(source.has_error)
+        broken = bool(source.has_error)
         reason = " ".join(source.geterror().split())
     finally:
         source.close()
-    if broken:
+    if pixels is None or broken:
         raise TilewrightFileError(f"{path} is truncated or damaged ({reason or 'not all pixels are there'})")
     return np.ascontiguousarray(pixels.reshape(spec.height, spec.width, -1).astype(kind, copy=False))
 
@@ -89,12 +89,11 @@ def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
         spec.attribute("png:compressionLevel", 6)
     with whole_file(path) as unfinished:
         output = oiio.ImageOutput.create(str(unfinished))
-        written = output is not None and output.open(str(unfinished), spec)
-        written = written and output.write_image(np.ascontiguousarray(pixels))
-        reason = " ".join((output.geterror() if output is not None else oiio.geterror()).split())
-        if output is not None:
-            written = output.close() and written
-        if not written:
+        if output is None:
+            raise TilewrightFileError(f"{path} could not be written ({' '.join(oiio.geterror().split())})")
+        written = output.open(str(unfinished), spec) and output.write_image(np.ascontiguousarray(pixels))
+        reason = " ".join(output.geterror().split())
+        if not (output.close() and written):
             raise TilewrightFileError(f"{path} could not be written ({reason or 'is the disk full?'})")
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.files.images import read_image
-from tilewright.signals.textures import Exemplar, TextureTiles, synthesize
+from tilewright.signals.textures import Exemplar, TextureTiles
 from tilewright.tiles import TileSet, corner_tiles
 
 Picture = str | Path | NDArray[Any]
@@ -62,6 +62,8 @@ def texture_tiles(
         ``tile_size``, ``seed``, ``method``, ``pick``, ``reject``, ``threads`` and ``progress``, as in
         `tilewright.synthesize`.
     """
+    from tilewright.signals.textures import synthesize
+
     exemplar = open_exemplar(photo, second=second, mask=mask, second_mask=second_mask, weights=weights)
     return synthesize(exemplar, tiles or corner_tiles(2 if second is None else 4), **options)
 

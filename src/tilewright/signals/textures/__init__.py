@@ -1,9 +1,26 @@
 """Texture tiles: pictures over a tile set, made from photographs."""
 
-from tilewright.signals.textures.exemplar import Exemplar
-from tilewright.signals.textures.regularity import Regularity, find_regularity
-from tilewright.signals.textures.synthesis import METHODS, resynthesize, synthesize
-from tilewright.signals.textures.texture_tiles import TextureTiles, copy_from_sources
+from typing import TYPE_CHECKING
+
+from tilewright.lazy import load_lazily
+
+if TYPE_CHECKING:
+    from tilewright.signals.textures.exemplar import Exemplar
+    from tilewright.signals.textures.regularity import Regularity, find_regularity
+    from tilewright.signals.textures.synthesis import METHODS, resynthesize, synthesize
+    from tilewright.signals.textures.texture_tiles import TextureTiles, copy_from_sources
+
+# Synthesis needs SciPy; showing what was made does not.
+_HOME = {
+    "METHODS": "synthesis",
+    "Exemplar": "exemplar",
+    "Regularity": "regularity",
+    "TextureTiles": "texture_tiles",
+    "copy_from_sources": "texture_tiles",
+    "find_regularity": "regularity",
+    "resynthesize": "synthesis",
+    "synthesize": "synthesis",
+}
 
 __all__ = [
     "METHODS",
@@ -15,3 +32,4 @@ __all__ = [
     "resynthesize",
     "synthesize",
 ]
+__getattr__, __dir__ = load_lazily(__name__, _HOME)

@@ -1,0 +1,71 @@
+"""The command line: one module per command, errors as one line and exit code 2."""
+
+import sys
+import warnings
+from typing import Annotated
+
+import typer
+
+from tilewright import __version__
+from tilewright.cli import analyze, export, pack, render, texture, view
+from tilewright.errors import TilewrightError, TilewrightWarning
+
+app = typer.Typer(
+    name="tilewright",
+    help="Endless, non-repeating textures from Wang tiles and corner tiles.",
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        print(f"tilewright {__version__}")
+        raise typer.Exit
+
+
+@app.callback(invoke_without_command=True)
+def _root(
+    context: typer.Context,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
+    if context.invoked_subcommand is None:
+        print(context.get_help())
+        raise typer.Exit(2)
+
+
+for command in (texture, render, view, analyze, pack, export):
+    app.command(command.__name__.rsplit(".", 1)[-1])(command.command)
+
+
+def run(arguments: list[str] | None = None) -> None:
+    """Run a command; never show a traceback for what a user can mend."""
+    warnings.showwarning = _show_warning  # type: ignore[assignment]
+    try:
+        code = app(arguments, standalone_mode=False)
+    except TilewrightError as error:
+        code = _say(str(error))
+    except MemoryError:
+        code = _say("not enough memory; ask for a smaller tile size, fewer colors or a smaller window")
+    except (KeyboardInterrupt, typer.Abort):
+        code = _say("stopped", 130)
+    except Exception as error:
+        # Usage errors: their class comes from click or from typer's own copy of it.
+        message = getattr(error, "format_message", None)
+        if message is None:
+            raise
+        code = _say(message())
+    sys.exit(code if isinstance(code, int) else 0)
+
+
+def _say(message: str, code: int = 2) -> int:
+    print(f"tilewright: {' '.join(message.split())}", file=sys.stderr)
+    return code
+
+
+def _show_warning(message: Warning | str, category: type[Warning], *rest: object) -> None:
+    if issubclass(category, TilewrightWarning):
+        _say(f"note: {message}")

@@ -1,0 +1,52 @@
+"""What several commands share: options, progress on stderr, one JSON object on stdout."""
+
+import json
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from tilewright.errors import Progress, TilewrightValueError
+
+Folder = Annotated[
+    Path, typer.Argument(help="A tile-set folder made by `tilewright texture`.", show_default=False)
+]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON object of the figures on stdout.")]
+Seed = Annotated[int, typer.Option("--seed", help="Seed of construction.")]
+LatticeSeed = Annotated[int, typer.Option("--lattice-seed", help="Seed of the direct tiling.")]
+Map = Annotated[str | None, typer.Option("--map", help="Which map; the main one by default.")]
+
+
+def report(figures: dict[str, Any], as_json: bool, text: str) -> None:
+    """Print what a command did: figures for programs, or a line for people."""
+    print(json.dumps(figures) if as_json else text)
+
+
+@contextmanager
+def progress_bar() -> Iterator[Progress]:
+    """A progress bar on stderr; nothing where stderr is not a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda done, total, what: None
+        return
+    from rich.console import Console
+    from rich.progress import Progress as Bar
+
+    with Bar(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=None)
+        yield lambda done, total, what: bar.update(task, completed=done, total=total, description=what)
+
+
+def parse_pairs(option: str, given: list[str]) -> dict[str, str]:
+    """``NAME=VALUE`` pairs as a dict."""
+    pairs = {}
+    for item in given:
+        name, equals, value = item.partition("=")
+        if not (name and equals and value):
+            raise TilewrightValueError(f"{option} is {item!r}; expected NAME=VALUE")
+        if name in pairs:
+            raise TilewrightValueError(f"{option} names {name!r} twice")
+        pairs[name] = value
+    return pairs
