@@ -58,6 +58,9 @@ _HOME = {
     "texture_tiles": "files",
     "write_image": "files",
     "TextureField": "fields",
+    "Report": "analysis",
+    "analyze": "analysis",
+    "save_viewer": "export",
 }
 
 __all__ = ["__version__", *_HOME]

@@ -1,0 +1,60 @@
+"""From one photograph to an endless texture: tile set, picture, viewer page.
+
+Without a photograph, scikit-image's gravel is taken (CC0).
+"""
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+import tilewright as tw
+
+
+def main() -> None:
+    """Run the main job and say what was made and how long each step took."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("photo", nargs="?", help="a photograph")
+    parser.add_argument("--output", default="out", help="folder for the results")
+    given = parser.parse_args()
+    out = Path(given.output)
+    out.mkdir(parents=True, exist_ok=True)
+
+    with step("photograph"):
+        if given.photo:
+            photo = tw.read_image(given.photo)
+        else:
+            import skimage.data
+
+            photo = skimage.data.gravel()
+    with step("tile set: 16 corner tiles", out / "tiles"):
+        material = tw.texture_tiles(photo, tw.corner_tiles(colors=2), tile_size="auto", seed=1)
+        tw.save(material, out / "tiles")
+    with step("picture: 4096 x 4096 pixels of the endless plane", out / "plane.png"):
+        field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
+        field.save(out / "plane.png", width=4096, height=4096)
+    with step("page to pan, zoom and tilt", out / "viewer.html"):
+        tw.save_viewer(material, out / "viewer.html", seed=7)
+    print(f"\nOpen {out / 'viewer.html'} in a browser.")
+
+
+class step:
+    """Times a step and prints it with what it made."""
+
+    def __init__(self, what: str, made: Path | None = None) -> None:
+        self.what, self.made = what, made
+
+    def __enter__(self) -> None:
+        self.started = time.perf_counter()
+
+    def __exit__(self, failed: object, *rest: object) -> None:
+        if failed is None:
+            seconds = time.perf_counter() - self.started
+            print(f"{seconds:6.1f} s  {self.what}" + (f": {self.made}" if self.made else ""), flush=True)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except tw.TilewrightError as error:
+        sys.exit(f"demo: {error}")
