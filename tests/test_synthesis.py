@@ -198,20 +198,20 @@ def test_progress_counts_every_patch_and_can_stop(gravel):
 
 
 BAD = {
-    "size 0": (dict(tile_size=0), "tile_size is 0; allowed are 16 to 1024"),
-    "size odd": (dict(tile_size=33), "tile_size is 33; it must be even"),
-    "size huge": (dict(tile_size=10**6), "allowed are 16 to 1024"),
-    "size text": (dict(tile_size="big"), "tile_size must be an integer"),
+    "size 0": ({"tile_size": 0}, "tile_size is 0; allowed are 16 to 1024"),
+    "size odd": ({"tile_size": 33}, "tile_size is 33; it must be even"),
+    "size huge": ({"tile_size": 10**6}, "allowed are 16 to 1024"),
+    "size text": ({"tile_size": "big"}, "tile_size must be an integer"),
     "too large for the photograph": (
-        dict(tile_size=190),
+        {"tile_size": 190},
         "choose a smaller tile size or a larger photograph",
     ),
-    "method": (dict(method="magic"), "method is 'magic'; allowed are nested"),
-    "method of the other kind": (dict(method="burke"), "does not go with corner tiles"),
-    "seed": (dict(seed=-1), "seed is -1"),
-    "pick outside": (dict(pick={"center:0": (0, 199, 0)}), "center:0 does not leave room"),
-    "pick nobody": (dict(pick={"center:99": (0, 5, 5)}), "no patch is called 'center:99'"),
-    "pick another source": (dict(pick={"center:0": (1, 5, 5)}), "source of center:0 is 1"),
+    "method": ({"method": "magic"}, "method is 'magic'; allowed are nested"),
+    "method of the other kind": ({"method": "burke"}, "does not go with corner tiles"),
+    "seed": ({"seed": -1}, "seed is -1"),
+    "pick outside": ({"pick": {"center:0": (0, 199, 0)}}, "center:0 does not leave room"),
+    "pick nobody": ({"pick": {"center:99": (0, 5, 5)}}, "no patch is called 'center:99'"),
+    "pick another source": ({"pick": {"center:0": (1, 5, 5)}}, "source of center:0 is 1"),
 }
 
 

@@ -93,8 +93,18 @@ def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
             raise TilewrightFileError(f"{path} could not be written ({' '.join(oiio.geterror().split())})")
         written = output.open(str(unfinished), spec) and output.write_image(np.ascontiguousarray(pixels))
         reason = " ".join(output.geterror().split())
-        if not (output.close() and written):
+        written = output.close() and written
+        # The library does not always report that a disk is full, so the file is read again.
+        if not (written and _holds(unfinished, pixels)):
             raise TilewrightFileError(f"{path} could not be written ({reason or 'is the disk full?'})")
+
+
+def _holds(path: Path, pixels: NDArray[Any]) -> bool:
+    """Whether a file just written can be read and holds these pixels."""
+    try:
+        return np.array_equal(read_image(path), pixels, equal_nan=pixels.dtype.kind == "f")
+    except TilewrightFileError:
+        return False
 
 
 def check_writable(path: Path, kind: np.dtype[Any]) -> str:

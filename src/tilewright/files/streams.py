@@ -91,5 +91,22 @@ def _write_scanlines(
         reason = " ".join(output.geterror().split())
     finally:
         closed = output.close()
-    if not (written and closed):
+    if not (written and closed and _ends_well(unfinished, height)):
         raise TilewrightFileError(f"{path} could not be written ({reason or 'is the disk full?'})")
+
+
+def _ends_well(path: Path, height: int) -> bool:
+    """Whether a file just written has its end; the library does not always say that a disk was full."""
+    if path.suffix.lower() == ".png":
+        with path.open("rb") as file:
+            file.seek(-min(12, path.stat().st_size), 2)
+            return file.read()[4:8] == b"IEND"
+    import OpenImageIO as oiio
+
+    source = oiio.ImageInput.open(str(path))
+    if source is None:
+        return False
+    try:
+        return source.read_scanlines(height - 1, height, 0, 0, source.spec().nchannels) is not None
+    finally:
+        source.close()

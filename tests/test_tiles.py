@@ -1,0 +1,160 @@
+"""Tile sets: sizes from the papers (with the errata), codes, properties the sets are asked to have."""
+
+from collections import Counter
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import tilewright as tw
+from tilewright.errors import TilewrightError
+from tilewright.tiles import CORNER, CORNER_CUBE, DOMINO, WANG, WANG_CUBE
+
+ALL_COLORS = range(1, 17)
+
+
+@pytest.mark.parametrize("c", ALL_COLORS)
+def test_complete_sets_are_complete_and_in_index_order(c):
+    for tiles in (tw.corner_tiles(c), tw.wang_tiles(c)):
+        assert len(tiles) == c**4
+        assert tiles.is_complete
+        assert np.array_equal(tiles.codes, np.arange(c**4))
+    assert len(tw.dominoes(c)) == c**2
+    assert len(tw.wang_tiles(c, 17 - c)) == (c * (17 - c)) ** 2
+
+
+# Lagae 2007, 3.2.1 and 3.2.2, as corrected: compact Wang sets 2C^2, compact corner sets 2C^3.
+@pytest.mark.parametrize(
+    ("c", "wang", "corner"),
+    [(2, 8, 16), (3, 18, 54), (4, 32, 128), (5, 50, 250), (6, 72, 432), (7, 98, 686), (8, 128, 1024)],
+)
+def test_compact_sets_have_the_sizes_of_the_thesis(c, wang, corner):
+    assert len(tw.compact_wang_tiles(c)) == wang
+    assert len(tw.corner_tiles(c, choices=2)) == corner
+    assert len(tw.summed_wang_tiles(c)) == c**3
+    assert len(tw.column_corner_tiles(c)) == 4 * c * c
+
+
+@pytest.mark.parametrize("c", range(2, 17))
+def test_compact_sets_always_leave_two_choices(c):
+    _, _, s, w = range(4)
+    tiles = tw.compact_wang_tiles(c).slots
+    assert set(Counter(map(tuple, tiles[:, [0, w]])).values()) == {2}
+    assert set(Counter(map(tuple, tiles[:, [1, s]])).values()) == {2}
+    assert len(Counter(map(tuple, tiles[:, [0, w]]))) == c * c
+    corners = tw.corner_tiles(c, choices=2).slots
+    known = Counter(map(tuple, corners[:, [0, 2, 3]]))
+    assert len(known) == c**3
+    assert set(known.values()) == {2}
+
+
+@pytest.mark.parametrize(("count", "c_h", "c_v"), [(8, 2, 2), (12, 2, 3), (18, 3, 3)])
+def test_cohens_sets(count, c_h, c_v):
+    tiles = tw.cohen_tiles(count)
+    assert len(tiles) == count
+    assert tiles.colors == (c_h, c_v, c_h, c_v)
+    assert set(Counter(map(tuple, tiles.slots[:, [0, 3]])).values()) == {2}
+    assert set(Counter(map(tuple, tiles.slots[:, [1, 2]])).values()) == {2}
+
+
+def test_cohens_eight_tiles_are_the_summed_set_over_two_colors():
+    assert np.array_equal(np.sort(tw.cohen_tiles(8).codes), np.sort(tw.summed_wang_tiles(2).codes))
+
+
+def test_corner_coded_sets():
+    whole, half = tw.corner_coded_tiles(), tw.corner_coded_tiles(scanline_only=True)
+    assert (len(whole), len(half)) == (128, 64)
+    # N, W and the corners NE, SW, NW are known in scanline order.
+    known = Counter(map(tuple, half.slots[:, [0, 3, 4, 6, 7]]))
+    assert len(known) == 32
+    assert set(known.values()) == {2}
+
+
+def test_cubes():
+    assert [len(tw.corner_cubes(c)) for c in (1, 2, 3, 4)] == [1, 256, 6561, 65536]
+    assert [len(tw.wang_cubes(c)) for c in (1, 2, 3, 4)] == [1, 64, 729, 4096]
+    assert [len(tw.compact_wang_cubes(c)) for c in (2, 3, 4)] == [16, 54, 128]
+    assert [len(tw.compact_corner_cubes(c)) for c in (2, 3)] == [256, 2 * 3**7]
+    known = Counter(map(tuple, tw.compact_wang_cubes(2).slots[:, [0, 3, 4]]))
+    assert set(known.values()) == {2}
+    assert tw.count_complete(CORNER_CUBE, 16) == 16**8
+    assert tw.count_complete(WANG_CUBE, 5) == 5**6
+
+
+@given(st.integers(1, 16), st.data())
+def test_codes_and_slots_are_inverse(c, data):
+    code = data.draw(st.integers(0, c**4 - 1))
+    slots = tw.decode(code, (c,) * 4)
+    a, b, d, e = (int(v) for v in slots)
+    assert ((a * c + b) * c + d) * c + e == code  # eq. 2.2 and 2.5
+    assert tw.encode(slots, (c,) * 4) == code
+
+
+def test_an_asymmetric_tile_has_its_slots_in_the_papers_order():
+    corner = tw.corner_tiles(4)
+    assert corner.shape.slots == ("NE", "SE", "SW", "NW")
+    assert list(corner.fitting(NE=0, SE=1, SW=2, NW=3)) == [0 * 64 + 1 * 16 + 2 * 4 + 3]
+    wang = tw.wang_tiles(4)
+    assert wang.shape.slots == ("N", "E", "S", "W")
+    assert list(wang.fitting(N=3, E=2, S=1, W=0)) == [3 * 64 + 2 * 16 + 1 * 4]
+    assert DOMINO.slots == ("E", "W")
+
+
+def test_queries():
+    tiles = tw.cohen_tiles(8)
+    assert len(tiles.fitting(N=0)) == 4
+    assert len(tiles.fitting(N=0, W=1)) == 2
+    with pytest.raises(TilewrightError, match="have no slot 'NE'"):
+        tiles.fitting(NE=0)
+
+
+def test_a_corner_set_as_wang_tiles():
+    corners = tw.corner_tiles(2)
+    wang = tw.as_wang_tiles(corners)
+    assert wang.shape is WANG
+    assert len(wang) == 16
+    assert wang.colors == (4,) * 4
+    # Neighbors match as corner tiles exactly where they match as Wang tiles.
+    for joint_c, joint_w in zip(corners.shape.joints, wang.shape.joints, strict=True):
+        for a in range(16):
+            for b in range(16):
+                as_corners = all(corners.slots[a, f] == corners.slots[b, n] for f, n in joint_c)
+                as_wang = all(wang.slots[a, f] == wang.slots[b, n] for f, n in joint_w)
+                assert as_corners == as_wang
+
+
+BAD = {
+    "no colors": (lambda: tw.corner_tiles(0), "colors is 0; allowed are 1 to 16"),
+    "many colors": (lambda: tw.wang_tiles(17), "colors is 17; allowed are 1 to 16"),
+    "colors as text": (lambda: tw.wang_tiles("2"), "colors must be an integer, not '2'"),
+    "a float": (lambda: tw.wang_tiles(2.0), "must be an integer"),
+    "one choice": (lambda: tw.corner_tiles(4, choices=1), "choices is 1; allowed are 2 to 4"),
+    "big cubes": (lambda: tw.corner_cubes(5), "use encode and decode"),
+    "not a power of two": (lambda: tw.shifted_wang_tiles(6), "needs a power of two"),
+    "another count": (lambda: tw.cohen_tiles(9), "8, 12 or 18"),
+    "empty": (lambda: tw.tile_set([]), "integers"),
+    "three slots": (lambda: tw.tile_set([[0, 1, 2]]), r"need (tiles, 4)"),
+    "twice": (lambda: tw.tile_set([[0, 1, 0, 1]] * 2), "a tile twice"),
+    "negative": (lambda: tw.tile_set([[0, -1, 0, 0]]), "colors -1 to 0"),
+    "floats": (lambda: tw.tile_set([[0.5, 0, 0, 0]]), "must hold integers"),
+    "shape": (lambda: tw.tile_set([[0] * 4], "hexagon"), "shape is 'hexagon'"),
+    "wang to wang": (lambda: tw.as_wang_tiles(tw.wang_tiles(2)), "only corner sets"),
+    "coded corners": (lambda: tw.corner_coded_tiles(tw.corner_tiles(2)), "must be a set of Wang tiles"),
+}
+
+
+@pytest.mark.parametrize("case", BAD)
+def test_bad_sets_get_one_clear_line(case):
+    make, message = BAD[case]
+    with pytest.raises(TilewrightError) as error:
+        make()
+    assert message in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_user_sets_share_a_palette_where_slots_can_meet():
+    tiles = tw.tile_set([[0, 3, 1, 0], [1, 0, 0, 3]], "wang")
+    assert tiles.colors == (2, 4, 2, 4)
+    assert not tiles.is_complete
+    assert CORNER.dimension == 2
