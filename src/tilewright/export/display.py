@@ -1,0 +1,131 @@
+"""What pixels mean to the eye: which maps are light, sRGB, mip levels, and bytes for a screen."""
+
+import re
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+_DATA = re.compile(
+    r"normal|rough|metal|height|depth|displace|bump|occlusion|(^|[^a-z])ao([^a-z]|$)|mask|gloss|specular"
+    r"|opacity|alpha|thickness|index",
+    re.IGNORECASE,
+)
+
+
+def is_light(name: str) -> bool:
+    """Whether a map of this name holds colors that are seen, not quantities such as normals or heights.
+
+    Light is averaged linearly: 8-bit and 16-bit maps are then taken as sRGB, float maps as linear already.
+    """
+    return _DATA.search(name) is None
+
+
+def to_linear(encoded: NDArray[Any]) -> NDArray[np.float32]:
+    """Linear light of sRGB values from 0 to 1 (IEC 61966-2-1)."""
+    low, high = encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4
+    return np.where(encoded <= 0.04045, low, high).astype(np.float32)
+
+
+def to_encoded(linear: NDArray[Any]) -> NDArray[np.float32]:
+    """sRGB values of linear light from 0 to 1."""
+    low, high = 12.92 * linear, 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
+    return np.where(linear <= 0.0031308, low, high).astype(np.float32)
+
+
+def mip_levels(pixels: NDArray[Any], light: bool) -> list[NDArray[Any]]:
+    """All mip levels of a stack of tiles, shape (T, H, W, channels), down to one texel each.
+
+    Every level is the area-weighted mean of the first, tile by tile: sides are halved and rounded down,
+    so tiles of any size keep their borders on texel borders. Light is averaged linearly, and color by its
+    alpha where there are 2 or 4 channels of it.
+    """
+    levels = [pixels]
+    linear = _premultiplied(pixels, light)
+    while max(levels[-1].shape[1:3]) > 1:
+        height, width = (max(1, side >> len(levels)) for side in pixels.shape[1:3])
+        smaller = _shrink(_shrink(linear, height, 1), width, 2)
+        levels.append(_restored(smaller, pixels.dtype, light))
+    return levels
+
+
+def _has_alpha(channels: int, light: bool) -> bool:
+    return light and channels in (2, 4)
+
+
+def _premultiplied(pixels: NDArray[Any], light: bool) -> NDArray[np.float32]:
+    values = pixels.astype(np.float32)
+    if pixels.dtype.kind == "u":
+        values /= np.iinfo(pixels.dtype).max
+    alpha = _has_alpha(values.shape[-1], light)
+    color = values[..., :-1] if alpha else values
+    if light and pixels.dtype.kind == "u":
+        color[...] = to_linear(color)
+    if alpha:
+        color *= values[..., -1:]
+    return values
+
+
+def _restored(values: NDArray[np.float32], kind: np.dtype[Any], light: bool) -> NDArray[Any]:
+    values = values.copy()
+    alpha = _has_alpha(values.shape[-1], light)
+    color = values[..., :-1] if alpha else values
+    if alpha:
+        color /= np.maximum(values[..., -1:], 1e-6)
+    if kind.kind != "u":
+        return values
+    if light:
+        color[...] = to_encoded(color)
+    top = np.iinfo(kind).max
+    return np.rint(np.clip(values, 0, 1) * top).astype(kind)
+
+
+def _shrink(values: NDArray[np.float32], count: int, axis: int) -> NDArray[np.float32]:
+    """Area-weighted means along an axis, to ``count`` samples."""
+    size = values.shape[axis]
+    # Sums up to every border of the new samples, from whole samples and the share of the one it cuts.
+    moved = np.moveaxis(values, axis, 0).astype(np.float64)
+    sums = np.concatenate([np.zeros((1, *moved.shape[1:])), np.cumsum(moved, axis=0)])
+    borders = np.arange(count + 1) * (size / count)
+    whole = np.minimum(borders.astype(int), size - 1)
+    share = (borders - whole).reshape(-1, *[1] * (moved.ndim - 1))
+    at = sums[whole] + share * moved[whole]
+    return np.moveaxis(np.diff(at, axis=0) * (count / size), 0, axis).astype(np.float32)
+
+
+def screen_bytes(pixels: NDArray[Any], light: bool) -> tuple[NDArray[np.uint8], str]:
+    """8-bit pixels for a screen, with 1 to 4 channels, and a note on what was done to them.
+
+    uint8 is kept; uint16 is rounded. Float light is encoded as sRGB, brighter light than 1 scaled so that
+    all but the brightest thousandth fits; other floats outside 0 to 1 are stretched between their lowest
+    and highest thousandths. Of four channels of data the
+    first three are shown; two get a third of zeros.
+    """
+    note = ""
+    if pixels.dtype == np.uint16:
+        pixels = ((pixels.astype(np.uint32) * 255 + 32767) // 65535).astype(np.uint8)
+        note = "16 bit, shown in 8"
+    elif pixels.dtype == np.float32:
+        pixels, note = _float_bytes(pixels, light)
+    if pixels.shape[-1] == 4 and not light:
+        pixels, note = pixels[..., :3], ", ".join(filter(None, [note, "fourth channel not shown"]))
+    if pixels.shape[-1] == 2 and not light:
+        pixels = np.concatenate([pixels, np.zeros_like(pixels[..., :1])], axis=-1)
+    return pixels, note
+
+
+def _float_bytes(pixels: NDArray[np.float32], light: bool) -> tuple[NDArray[np.uint8], str]:
+    alpha = _has_alpha(pixels.shape[-1], light)
+    values = pixels.astype(np.float64)
+    color = values[..., :-1] if alpha else values
+    low, high = 0.0, 1.0
+    if light and color.max() > 1:
+        high = float(np.quantile(color, 0.999))
+    elif not light and (color.min() < 0 or color.max() > 1):
+        low, high = (float(q) for q in np.quantile(color, (0.001, 0.999)))
+    color -= low
+    color /= max(high - low, 1e-12)
+    np.clip(values, 0, 1, out=values)
+    if light:
+        color[...] = to_encoded(color)
+    return np.rint(values * 255).astype(np.uint8), f"float, shown from {low:.4g} to {high:.4g}"

@@ -1,0 +1,191 @@
+#version 300 es
+// A pixel of the endless plane. Positions are texels counted from the origin cell, which is a 64-bit
+// integer: the view never runs out of digits. The picture is that of one endless texture with box-filtered
+// mip levels: every level is sampled across tile borders, from the tiles that really lie there.
+precision highp float;
+precision highp int;
+precision highp sampler2DArray;
+precision highp usampler2D;
+// {{defines}}
+
+uniform sampler2DArray uTiles;
+uniform usampler2D uTable;       // baked cells, or the tile of each code of an incomplete set
+uniform uvec2 uFirst, uMarks;    // hash states: edges or corners; marks of corner-coded sets
+uniform uvec4 uRadices;          // colors of horizontal edges, vertical edges, unused, corners
+uniform uvec2 uOriginX, uOriginY;
+uniform int uRepeat;             // the tile to repeat everywhere, or -1
+uniform int uSize, uAcross, uTopLevel;  // texels of a tile; tiles along a layer; level of one texel
+uniform vec4 uMean;              // of all tiles, as stored in level uTopLevel
+uniform bool uEncode;            // the map is light: filtered linearly, shown as sRGB
+
+uniform vec2 uCenter;            // texel at the middle of the view
+uniform float uScale;            // texels per pixel there
+uniform vec2 uViewport;          // pixels
+uniform float uFocal;            // pixels from the eye to the middle of the view
+uniform vec2 uTilt, uTurn;       // (cos, sin)
+uniform bool uBorders;
+uniform float uPixelRatio;
+uniform vec3 uSky, uBackdrop;
+
+out vec4 color;
+
+// {{lattice}}
+
+vec4 texel(int tile, ivec2 at, int level, int n) {
+  if (tile < 0) return vec4(0.0);
+  int perLayer = uAcross * uAcross, place = tile % perLayer;
+  ivec2 corner = ivec2(place % uAcross, place / uAcross) * n;
+  vec4 t = texelFetch(uTiles, ivec3(corner + at, tile / perLayer), level);
+  return vec4(t.rgb * t.a, t.a);
+}
+
+// The cell a position is in, and the rest of it, 0 up to the tile's size.
+void divide(vec2 p, out ivec2 cell, out vec2 rest) {
+  float size = float(uSize);
+  vec2 c = floor(p / size);
+  rest = p - c * size;
+  vec2 over = step(size, rest) - step(rest, vec2(-1e-9));
+  cell = ivec2(c + over);
+  rest -= over * size;
+}
+
+// One level, bilinear between the four nearest texels, whichever tiles they belong to. Enlarged
+// texels keep crisp edges `sharp` pixels to the texel apart.
+vec4 sampleLevel(vec2 p, int level, float sharp) {
+  int n = uSize >> level;
+  ivec2 cell;
+  vec2 rest;
+  divide(p, cell, rest);
+  vec2 q = rest * (float(n) / float(uSize)) - 0.5;
+  vec2 base = floor(q);
+  vec2 w = clamp((q - base - 0.5) * sharp + 0.5, 0.0, 1.0);
+  ivec2 i0 = ivec2(base), i1 = i0 + 1;
+  ivec2 before = ivec2(lessThan(i0, ivec2(0))), after = ivec2(greaterThanEqual(i1, ivec2(n)));
+  ivec2 c0 = cell - before, c1 = cell + after;
+  i0 += before * n;
+  i1 -= after * n;
+  int t00 = tileAt(c0);
+  int t10 = c1.x == c0.x ? t00 : tileAt(ivec2(c1.x, c0.y));
+  int t01 = c1.y == c0.y ? t00 : tileAt(ivec2(c0.x, c1.y));
+  int t11 = c1.x == c0.x ? t01 : c1.y == c0.y ? t10 : tileAt(c1);
+  return mix(
+    mix(texel(t00, i0, level, n), texel(t10, ivec2(i1.x, i0.y), level, n), w.x),
+    mix(texel(t01, ivec2(i0.x, i1.y), level, n), texel(t11, i1, level, n), w.x), w.y);
+}
+
+// log2 of a level's texel size; tiles that are no power of two have odd steps.
+float levelSize(int level) { return log2(float(uSize) / float(uSize >> level)); }
+
+// A footprint of 2^lod texels: between two levels; beyond the level of one texel per tile, many tiles
+// average out towards the mean of the set, half as far for each doubling.
+vec4 sampleFootprint(vec2 p, float lod, float sharp) {
+  if (lod <= 0.0) return sampleLevel(p, 0, sharp);
+  float last = levelSize(uTopLevel);
+  if (lod >= last) {
+    float keep = exp2(last - lod);
+    vec4 far = uRepeat < 0 ? uMean : texel(uRepeat, ivec2(0), uTopLevel, 1);
+#ifdef ALGORITHM_BAKED
+    keep = 1.0;
+#endif
+    return keep < 0.01 ? far : mix(far, sampleLevel(p, uTopLevel, 1.0), keep);
+  }
+  int level = min(int(lod), uTopLevel - 1);
+  if (levelSize(level) > lod) level--;
+  float low = levelSize(level), high = levelSize(level + 1);
+  float blend = (lod - low) / (high - low);
+  vec4 fine = sampleLevel(p, level, 1.0);
+  return blend <= 0.0 ? fine : mix(fine, sampleLevel(p, level + 1, 1.0), blend);
+}
+
+// A pixel whose footprint is spanned by dx and dy: up to 16 samples along its longer axis.
+vec4 samplePixel(vec2 p, vec2 dx, vec2 dy) {
+  float a = dot(dx, dx), b = dot(dy, dy), c = dx.x * dy.y - dx.y * dy.x;
+  float root = sqrt(max((a + b) * (a + b) - 4.0 * c * c, 0.0));
+  float major = sqrt(0.5 * (a + b + root)), minor = max(abs(c) / major, 1.0);
+  if (major <= 1.0) return sampleFootprint(p, 0.0, mix(1.0, 1.0 / major, smoothstep(2.0, 6.0, 1.0 / major)));
+  float count = clamp(ceil(major / minor - 0.02), 1.0, 16.0);
+  if (count == 1.0) return sampleFootprint(p, log2(major), 1.0);
+  // The longer axis of the ellipse: eigenvector of dx dx' + dy dy'.
+  float xx = dx.x * dx.x + dy.x * dy.x, xy = dx.x * dx.y + dy.x * dy.y;
+  vec2 axis = vec2(major * major - (a + b - xx), xy);
+  axis = dot(axis, axis) < 1e-12 * major * major * major * major ? vec2(0.0, 1.0) : normalize(axis);
+  float lod = log2(major / count);
+  vec4 sum = vec4(0.0);
+  for (float i = 0.5; i < count; i++) sum += sampleFootprint(p + axis * major * (i / count - 0.5), lod, 1.0);
+  return sum / count;
+}
+
+vec3 toShown(vec3 c) {
+  return mix(12.92 * c, 1.055 * pow(max(c, 0.0031308), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+vec3 palette(uint c) {
+  return 0.55 + 0.45 * cos(6.2832 * (float(c) * 0.618 + vec3(0.02, 0.36, 0.64)));
+}
+
+float cover(float distance, float halfWidth) { return clamp(halfWidth + 0.5 - distance, 0.0, 1.0); }
+
+// Lines between tiles, in screen pixels; edges and corners wear the colors that made them meet.
+vec3 drawBorders(vec3 shown, vec2 p, vec2 dx, vec2 dy) {
+  ivec2 cell;
+  vec2 rest;
+  divide(p, cell, rest);
+  float size = float(uSize);
+  vec2 perTexel = 1.0 / max(vec2(length(vec2(dx.x, dy.x)), length(vec2(dx.y, dy.y))), 1e-6);
+  vec2 strength = smoothstep(6.0, 24.0, size * perTexel / uPixelRatio);
+  vec2 gap = min(rest, size - rest) * perTexel / uPixelRatio;
+  vec2 dark = strength * vec2(cover(gap.x, 1.5), cover(gap.y, 1.5));
+  vec2 line = strength * vec2(cover(gap.x, 0.5), cover(gap.y, 0.5));
+  vec3 vertical = vec3(1.0), horizontal = vec3(1.0), corner = vec3(1.0);
+#ifndef ALGORITHM_BAKED
+  if (uRepeat < 0) {
+    Slots s = slotsAt(plus(uOriginX, cell.x), plus(uOriginY, cell.y));
+    bvec2 far = greaterThan(rest, vec2(0.5 * size));
+#ifdef HAS_EDGES
+    vertical = palette(far.x ? s.edges.y : s.edges.w);
+    horizontal = palette(far.y ? s.edges.z : s.edges.x);
+    line = strength * vec2(cover(gap.x, 1.0), cover(gap.y, 1.0));
+    dark = strength * vec2(cover(gap.x, 2.0), cover(gap.y, 2.0));
+#endif
+#ifdef HAS_CORNERS
+    corner = palette(far.x ? (far.y ? s.corners.y : s.corners.x) : (far.y ? s.corners.z : s.corners.w));
+#endif
+  }
+#endif
+  shown = mix(shown, vec3(0.0), 0.4 * max(dark.x, dark.y));
+  shown = mix(shown, horizontal, 0.8 * line.y);
+  shown = mix(shown, vertical, 0.8 * line.x);
+#ifdef HAS_CORNERS
+  float det = dx.x * dy.y - dx.y * dy.x;
+  vec2 d = rest - size * step(0.5 * size, rest);
+  vec2 onScreen = vec2(dy.y * d.x - dy.x * d.y, dx.x * d.y - dx.y * d.x) / det / uPixelRatio;
+  float visible = uRepeat < 0 ? min(strength.x, strength.y) : 0.0;
+  shown = mix(shown, vec3(0.08), visible * cover(length(onScreen), 5.5));
+  shown = mix(shown, corner, visible * cover(length(onScreen), 4.0));
+#endif
+  return shown;
+}
+
+void main() {
+  // The ray of this pixel meets the plane: s is the pixel from the middle, y down.
+  vec2 s = vec2(gl_FragCoord.x, uViewport.y - gl_FragCoord.y) - 0.5 * uViewport;
+  float depth = uTilt.x + s.y * uTilt.y / uFocal;
+  float ground = clamp(depth * uFocal / max(uTilt.y, 1e-6) + 0.5, 0.0, 1.0);  // 0 above the horizon
+  depth = max(depth, 1e-4);
+  float y = uScale * s.y / depth;
+  float across = uScale - y * uTilt.y / uFocal;
+  vec2 there = vec2(s.x * across, y);
+  vec2 dx = vec2(across, 0.0);
+  float dyds = uScale * uTilt.x / (depth * depth);
+  vec2 dy = vec2(-s.x * dyds * uTilt.y / uFocal, dyds);
+  mat2 turn = mat2(uTurn.x, uTurn.y, -uTurn.y, uTurn.x);
+  vec2 p = uCenter + turn * there;
+  dx = turn * dx;
+  dy = turn * dy;
+
+  vec4 light = samplePixel(p, dx, dy);
+  vec3 shown = uEncode ? toShown(light.rgb / max(light.a, 1e-6)) : light.rgb / max(light.a, 1e-6);
+  shown = mix(uBackdrop, shown, light.a);
+  if (uBorders) shown = drawBorders(shown, p, dx, dy);
+  color = vec4(mix(uSky, shown, ground), 1.0);
+}
