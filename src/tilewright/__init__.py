@@ -60,6 +60,9 @@ _HOME = {
     "TextureField": "fields",
     "Report": "analysis",
     "analyze": "analysis",
+    "make_atlas": "export",
+    "save_array": "export",
+    "save_atlas": "export",
     "save_viewer": "export",
 }
 

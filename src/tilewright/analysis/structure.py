@@ -23,7 +23,7 @@ def seam_novelty(sample: Sample, side: int = 8, seed: int = 0) -> tuple[float, f
     cut[:, :-1] |= east
     cut[:-1] |= south
     photo = sample.material.sources[0][sample.material.main].astype(np.float32)
-    rows, columns = (s - side + 1 for s in photo.shape[:2])
+    rows, columns = photo.shape[0] - side + 1, photo.shape[1] - side + 1
     pick = rng.choice(rows * columns, min(_DICTIONARY, rows * columns), replace=False)
     places = np.stack([pick // columns, pick % columns], axis=1)
     known = _patches(photo, places, side)

@@ -84,7 +84,7 @@ def _assemble(material: TextureTiles, seed: int, title: str) -> str:
     shape, colors = material.tiles.shape.name, max(material.tiles.colors)
     subtitle = f"{len(material.tiles)} {shape} tiles, {colors} colors, {material.tile_size} px"
     if baked:
-        subtitle += f"; a patch of {BAKED_CELLS} × {BAKED_CELLS} cells"
+        subtitle += f"; a patch of {BAKED_CELLS} x {BAKED_CELLS} cells"
     return _fill(
         "template.html",
         version=__version__,

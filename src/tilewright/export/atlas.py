@@ -1,0 +1,43 @@
+"""All tiles of a complete set in one picture that is itself a toroidal tiling."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import check_choice
+from tilewright.files.images import write_image
+from tilewright.signals.textures import TextureTiles
+from tilewright.tilings import Packing, packing
+
+
+def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArray[Any], Packing]:
+    """The packed picture of a map, and the packing that says where each tile lies.
+
+    Neighbors match, also around the border, so bilinear filtering across tile borders and mip levels down to
+    one texel per tile mix only pixels that may meet (Lagae & Dutré 2006, section 6.2).
+
+    Returns
+    -------
+    pixels : array, shape (rows * tile_size, columns * tile_size, channels)
+    packed : Packing
+        ``packed.place(tile)`` is the column and row of a tile.
+
+    Raises
+    ------
+    TilewrightValueError
+        The set is not complete, so it has no packing, or there is no such map.
+    """
+    name = material.main if map is None else check_choice("map", map, tuple(material.maps))
+    packed = packing(material.tiles)
+    columns, rows = packed.size
+    cells = packed.indices(0, 0, columns, rows)
+    n = material.tile_size
+    picture = material.maps[name][cells].swapaxes(1, 2)
+    return np.ascontiguousarray(picture.reshape(rows * n, columns * n, -1)), packed
+
+
+def save_atlas(material: TextureTiles, path: str | Path, *, map: str | None = None) -> None:
+    """Write the packed picture of a map (PNG or TIFF; EXR for float); see `make_atlas`."""
+    write_image(path, make_atlas(material, map=map)[0])
