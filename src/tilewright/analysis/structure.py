@@ -19,7 +19,7 @@ def seam_novelty(sample: Sample, side: int = 8, seed: int = 0) -> tuple[float, f
     """
     rng = np.random.default_rng(seed)
     east, south = sample.cuts
-    cut = np.zeros(sample.gray.shape, bool)
+    cut: NDArray[np.bool_] = np.zeros(sample.gray.shape, bool)
     cut[:, :-1] |= east
     cut[:-1] |= south
     photo = sample.material.sources[0][sample.material.main].astype(np.float32)
@@ -31,7 +31,7 @@ def seam_novelty(sample: Sample, side: int = 8, seed: int = 0) -> tuple[float, f
     _, _, components = np.linalg.svd((known - mean)[:4000], full_matrices=False)
     basis = components[:_COMPONENTS].T
     known = (known - mean) @ basis
-    cy, cx = cut.nonzero()
+    cy, cx = (c.astype(np.int64) for c in np.nonzero(cut))
     near = (cy >= side) & (cy < cut.shape[0] - side) & (cx >= side) & (cx < cut.shape[1] - side)
     cy, cx = cy[near], cx[near]
     if not len(cy):

@@ -13,8 +13,8 @@ def save_array(material: TextureTiles, path: str | Path, *, map: str | None = No
     """Write the tiles of a map as layers, one below the other, in order of tile index.
 
     Engines import such a strip as a 2D texture array of ``len(tiles)`` layers of tile_size x tile_size.
-    A layer knows nothing of its neighbors: filter it with clamped coordinates, and take gradients from the coordinate
-    before it is split into cell and place.
+    A layer knows nothing of its neighbors: filter it with clamped coordinates, and take gradients from the
+    coordinate before it is split into cell and place.
 
     Parameters
     ----------
