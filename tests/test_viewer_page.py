@@ -128,7 +128,7 @@ def test_a_set_without_a_direct_tiling_is_shown_as_a_patch(open_page):
 
 
 def test_controls(open_page):
-    page = open_page(handmade(tw.corner_tiles(2), 16, maps=2), width=400, height=320)
+    page = open_page(handmade(tw.corner_tiles(2), 16, maps=2), width=400, height=480)
     view(page, pixelsPerTile=32)
     first = read(page)
     page.fill("#seed", "99")
@@ -152,12 +152,12 @@ def test_controls(open_page):
 
 
 def test_pan_zoom_and_tilt(open_page):
-    page = open_page(handmade(tw.corner_tiles(2), 16), width=400, height=320)
+    page = open_page(handmade(tw.corner_tiles(2), 16), width=400, height=480)
     view(page, pixelsPerTile=32)
     before = view(page)
-    page.mouse.move(390, 310)
+    page.mouse.move(300, 150)
     page.mouse.down()
-    page.mouse.move(326, 278, steps=2)
+    page.mouse.move(236, 118, steps=2)
     page.mouse.up()
     after = view(page)
 
