@@ -1,124 +1,84 @@
-"""Repetition: how much of the picture comes back at whole tiles, and how much of the exemplar is used."""
+"""How much is seen of the tiles coming back."""
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.fft import irfft2, next_fast_len, rfft2
+from scipy.ndimage import gaussian_filter
 
-from tilewright.analysis.sample import Blur, Gray, Sample, as_sample
-from tilewright.signals.textures import TextureTiles
-
-REGULAR = 0.1
-"""Autocorrelation at whole tiles from which an exemplar's own is subtracted; less may be chance."""
+from tilewright.analysis.sample import Sample
 
 
-def measure_repetition(
-    material: TextureTiles | Sample, *, cells: int = 12, seed: int = 0
-) -> dict[str, float]:
-    """Autocorrelation of a tiling at whole tiles, and shared origins.
+def tile_lag_autocorrelation(sample: Sample) -> tuple[float, float]:
+    """Mean autocorrelation at whole-tile lags: of the tiling, and of the photograph at those lags.
 
-    The picture is the mean of the channels less its Gaussian low-pass of half a tile. Lags are all
-    (i, j) tiles up to half the tiling, without (0, 0).
-
-    Returns
-    -------
-    dict of str to float
-        ``repetition_raw``: mean correlation over the lags; 1 is one tile repeated, 1/C what patches shared
-        by color alone give. ``repetition_zero``: the same at lags half a tile off, where tiles do not
-        repeat. ``repetition_own``: the exemplar's own at whole tiles, as far as it reaches.
-        ``repetition``: raw less own where own is at least 0.1, else raw.
-        ``same_place``: share of pixels at one place of two cells that were copied from one pixel, over
-        all pairs of cells; needs no picture, so it also holds for periodic exemplars.
+    High-passed (sigma half a tile), mean over all lags up to half the sample, less the mean at half-tile
+    lags. One tile repeated gives 1, tiles without a common pixel 0, C edge colors about 1/C. A regular
+    photograph agrees with itself at such lags: subtract the second number.
     """
-    sample = as_sample(material, cells, seed)
-    picture = high_passed(sample.gray, sample.size)
-    raw = mean_at_lags(picture, sample.size)
-    zero = mean_at_lags(picture, sample.size, off=True)
-    own = [
-        mean_at_lags(high_passed(e.mean(axis=2), sample.size), sample.size)
-        for e in sample.exemplars
-        if min(e.shape[:2]) >= 2 * sample.size
+    n, half = sample.size, sample.cells.shape[0] // 2
+    lags = _autocorrelation(sample.gray, n / 2)
+    tile = [(i, j) for i in range(half + 1) for j in range(-half, half + 1) if (i, j) > (0, 0)]
+    between = [lags[i * n + n // 2, j * n + n // 2] for i in range(half) for j in range(-half, half)]
+    value = np.mean([lags[i * n, j * n] for i, j in tile]) - np.mean(between)
+    return float(value), float(np.mean([_own(s[sample.material.main], n) for s in sample.material.sources]))
+
+
+def _own(photo: NDArray[np.generic], n: int) -> float:
+    """The same for a photograph, at the lags it reaches; 0 where it is too small."""
+    lags = _autocorrelation(photo.astype(np.float32).mean(axis=2), n / 2)
+    high, wide = (max(0, (s // 2) // n) for s in photo.shape[:2])
+    at = [(i, j) for i in range(high + 1) for j in range(-wide, wide + 1) if (i, j) > (0, 0)]
+    if not at:
+        return 0.0
+    between = [
+        lags[i * n + n // 2, j * n + n // 2] for i in range(max(1, high)) for j in range(-wide, max(1, wide))
     ]
-    regular = float(np.mean(own)) if own else 0.0
-    return {
-        "repetition": raw - regular if regular >= REGULAR else raw,
-        "repetition_raw": raw,
-        "repetition_zero": zero,
-        "repetition_own": regular,
-        "same_place": _same_place(sample),
-    }
+    return float(np.mean([lags[i * n, j * n] for i, j in at]) - np.mean(between))
 
 
-def measure_diversity(material: TextureTiles | Sample, *, cells: int = 12, seed: int = 0) -> dict[str, float]:
-    """How much of the exemplar the tile set holds.
+def _autocorrelation(gray: NDArray[np.float32], sigma: float) -> NDArray[np.float64]:
+    """Correlation at each lag, negative ones wrapped around; 1 at lag 0."""
+    fine = gray - gaussian_filter(gray, sigma)
+    size = tuple(next_fast_len(2 * s, real=True) for s in gray.shape)
+    count = irfft2(np.abs(rfft2(np.ones_like(gray, dtype=float), size)) ** 2, size)
+    lags = irfft2(np.abs(rfft2(fine.astype(float), size)) ** 2, size) / np.maximum(count, 1)
+    return lags / lags[0, 0] if lags[0, 0] > 0 else lags
 
-    Returns
-    -------
-    dict of str to float
-        ``used_share``: share of the exemplar's usable pixels that occur in the set.
-        ``distinct_share``: distinct exemplar pixels in the set over all its pixels.
+
+def same_place_share(sample: Sample) -> float:
+    """Share of in-tile places with one origin in two different cells, mean over all pairs of cells.
+
+    It needs no correlation, so it is fit for photographs that are periodic themselves.
     """
-    sample = as_sample(material, cells, seed)
-    masks = sample.material.masks
-    usable = sum(int(m.sum()) for m in masks) or sum(e[..., 0].size for e in sample.exemplars)
-    distinct = len(np.unique(sample.places))
-    return {"used_share": distinct / usable, "distinct_share": distinct / sample.places.size}
+    tiles, counts = np.unique(sample.cells, return_counts=True)
+    origins = sample.material.origins[tiles].astype(np.int64)
+    flat = (origins[..., 0] << 40) + (origins[..., 1] << 20) + origins[..., 2]
+    flat = flat.reshape(len(tiles), -1)
+    total = sample.cells.size
+    # At each place: cells with the same origin, counted with how often their tiles occur.
+    order = np.argsort(flat, axis=0, kind="stable")
+    ranked = np.take_along_axis(flat, order, axis=0)
+    weight = counts[order].astype(np.int64)
+    running = np.cumsum(weight, axis=0)
+    last = np.ones_like(ranked, dtype=bool)
+    last[:-1] = ranked[1:] != ranked[:-1]
+    pairs = 0.0
+    for place in range(flat.shape[1]):
+        groups = np.diff(np.concatenate([[0], running[last[:, place], place]]))
+        pairs += float((groups * (groups - 1)).sum())
+    return pairs / flat.shape[1] / (total * (total - 1))
 
 
-def high_passed(gray: Gray, size: int) -> Gray:
-    """Less the low-pass of half a tile."""
-    return gray - Blur(gray).low(size / 2)
+def lattice_share(sample: Sample) -> float:
+    """Share of the low-passed variance (sigma an eighth of a tile) that is the same in every tile.
 
-
-def mean_at_lags(picture: Gray, size: int, off: bool = False) -> float:
-    """Mean of `correlations` over all lags but none."""
-    lags = correlations(picture, size, off)
-    if not off:
-        lags[0, lags.shape[1] // 2] = np.nan
-        lags[0, : lags.shape[1] // 2] = np.nan  # the mirror image of the rest of the row
-    return float(np.nanmean(lags))
-
-
-def correlations(picture: Gray, size: int, off: bool = False) -> NDArray[np.float64]:
-    """Correlation of a picture with itself at whole tiles; half a tile off along both axes if ``off``.
-
-    Returns
-    -------
-    float64 array, shape (m + 1, 2 m + 1)
-        Element (i, m + j) is the lag of i tiles south and j tiles east, m half the tiles a side.
+    This is the lattice seen from afar; 0 is good.
     """
-    fixed = _cells(picture, size)
-    shift = size // 2 if off else 0
-    moved = _cells(picture[shift:, shift:], size)
-    rows, columns = moved.shape[:2]
-    products = np.tensordot(fixed, moved, axes=(2, 2))  # [y, x, y', x']
-    power, moved_power = (np.einsum("yxp,yxp->yx", c, c, dtype=float) for c in (fixed, moved))
-    reach = len(fixed) // 2
-    lags = np.full((reach + 1, 2 * reach + 1), np.nan)
-    for i in range(reach + 1):
-        for j in range(-reach, reach + 1):
-            y, x = (
-                np.arange(min(rows - i, len(fixed))),
-                np.arange(max(0, -j), min(columns - j, fixed.shape[1])),
-            )
-            if not len(y) or not len(x):
-                continue
-            y, x = np.ix_(y, x)
-            scale = power[y, x].sum() * moved_power[y + i, x + j].sum()
-            lags[i, reach + j] = products[y, x, y + i, x + j].sum() / np.sqrt(scale) if scale > 0 else 0.0
-    return lags
-
-
-def _cells(picture: Gray, size: int) -> NDArray[np.float32]:
-    """Whole cells as rows of pixels, shape (rows, columns, size^2)."""
-    rows, columns = (n // size for n in picture.shape)
-    whole = picture[: rows * size, : columns * size].reshape(rows, size, columns, size)
-    return whole.swapaxes(1, 2).reshape(rows, columns, size * size)
-
-
-def _same_place(sample: Sample) -> float:
-    """Equal origins among all pairs of cells, from the lengths of runs in each sorted column."""
-    places = np.sort(sample.places.reshape(len(sample.places), -1)[sample.indices.ravel()], axis=0)
-    count = np.arange(len(places))[:, np.newaxis]
-    starts = np.where(np.diff(places, axis=0, prepend=-1) != 0, count, 0)
-    before = count - np.maximum.accumulate(starts, axis=0)  # earlier cells with the same origin
-    pairs = len(places) * (len(places) - 1) / 2 * places.shape[1]
-    return float(before.sum() / pairs)
+    n = sample.size
+    low = gaussian_filter(sample.gray, n / 8, mode="reflect")
+    rows, columns = sample.cells.shape
+    mean_tile = low.reshape(rows, n, columns, n).mean(axis=(0, 2))
+    # The mean of many tiles keeps some chance variance; that part is taken off.
+    total = float(low.var())
+    chance = total / sample.cells.size
+    return max(0.0, float((mean_tile.var() - chance) / total)) if total > 0 else 0.0
