@@ -23,7 +23,7 @@ OVERLAP = 0.11
 """Half the width in which two corner patches are cut, in tiles."""
 EDGE_CORE = (0.24, 0.14)
 """Half-length and half-width of the part an edge patch must fill, in tiles."""
-CENTER_CORE = 0.335
+CENTER_CORE = 0.34
 """Half-width of the part a center patch must fill, in tiles."""
 MIXED_CORE = 0.5
 """The cores shrink to this where two sources meet, so that the cut decides where one ends."""

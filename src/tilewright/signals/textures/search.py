@@ -20,7 +20,7 @@ from tilewright.signals.textures.sheet import Sheet
 
 Place = tuple[int, int]
 
-CANDIDATES = 12
+CANDIDATES = 16
 """Places that are cut in before the cheapest is kept."""
 APART = 1 / 16
 """Least distance between candidates, in tiles."""

@@ -1,0 +1,147 @@
+"""Speed, each figure beside a peer or a physical limit in the same run; ratios are what counts.
+
+``make bench`` prints the ratios at the end of each test (with ``-s``) and fails where one is missed.
+"""
+
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import tilewright as tw
+from tilewright.tilings.hashes import MixerHash
+
+SIDE = 4096
+
+
+def best(job, repeats=5):
+    """Least seconds of several runs."""
+    took = []
+    for _ in range(repeats):
+        started = time.perf_counter()
+        job()
+        took.append(time.perf_counter() - started)
+    return min(took)
+
+
+def numpy_ids(seed, out):
+    """The same tile ids in vectorized NumPy, the whole window at once."""
+
+    def mix(h):
+        h ^= h >> np.uint32(16)
+        h *= np.uint32(0x21F0AAAD)
+        h ^= h >> np.uint32(15)
+        h *= np.uint32(0xD35A2D97)
+        h ^= h >> np.uint32(15)
+        return h
+
+    y = np.arange(SIDE + 1, dtype=np.uint32)
+    a = np.full(SIDE + 1, 0x243F6A88, np.uint32)
+    b = np.full(SIDE + 1, 0x85A308D3, np.uint32)
+    zero = np.zeros_like(y)
+    for word in (zero, zero + np.uint32(seed), zero, zero, zero, zero, zero, y):
+        a = mix(a ^ word)
+        b = mix((b ^ a) + word)
+    h = np.arange(SIDE + 1, dtype=np.uint32)[None] ^ a[:, None]
+    h ^= h >> np.uint32(16)
+    h *= np.uint32(0x21F0AAAD)
+    h += b[:, None]
+    h ^= h >> np.uint32(15)
+    h *= np.uint32(0xD35A2D97)
+    h ^= h >> np.uint32(15)
+    c = ((h >> np.uint32(8)) * np.uint32(2)) >> np.uint32(24)
+    np.copyto(out, ((c[:-1, 1:] * 2 + c[1:, 1:]) * 2 + c[1:, :-1]) * 2 + c[:-1, :-1], casting="unsafe")
+
+
+def test_tile_ids_against_numpy(benchmark):
+    tiling = tw.direct(tw.corner_tiles(2), 5)
+    ours, theirs = np.empty((SIDE, SIDE), np.int32), np.empty((SIDE, SIDE), np.int32)
+    tiling.indices(0, 0, SIDE, SIDE, out=ours)
+    peer = best(lambda: numpy_ids(5, theirs), 3)
+    assert np.array_equal(ours, theirs)
+    benchmark.pedantic(lambda: tiling.indices(0, 0, SIDE, SIDE, out=ours), rounds=10)
+    took = benchmark.stats.stats.median
+    print(f"\ntile ids: {SIDE * SIDE / took / 1e6:.0f} M/s, {peer / took:.1f}x NumPy")
+    assert peer / took >= 10
+    assert SIDE * SIDE / took >= 200e6
+
+
+def test_render_against_copyto(benchmark):
+    tiles = tw.corner_tiles(2)
+    rng = np.random.default_rng(0)
+    pixels = rng.integers(0, 255, (16, 256, 256, 3)).astype(np.uint8)
+    origins = np.zeros((16, 256, 256, 3), np.uint16)
+    material = tw.TextureTiles(tiles, {"a": pixels}, ({"a": pixels[0]},), origins)
+    field = tw.TextureField(material, tw.direct(tiles, 7))
+    out = np.empty((8192, 8192, 3), np.uint8)
+    given = rng.integers(0, 255, out.shape).astype(np.uint8)
+    field.render(5, 9, 8192, 8192, out=out)
+    peer = best(lambda: np.copyto(out, given))
+    benchmark.pedantic(lambda: field.render(5, 9, 8192, 8192, out=out), rounds=5)
+    took = benchmark.stats.stats.median
+    print(f"\nrender 8192 x 8192: {peer / took:.2f} of copyto")
+    assert peer / took >= 0.5
+
+
+@pytest.mark.parametrize(("colors", "most"), [(4, 0.005), (16, 0.05)])
+def test_packing(benchmark, colors, most):
+    n = colors**2
+    tiles = tw.corner_tiles(colors)
+    benchmark.pedantic(lambda: tw.packing(tiles).indices(0, 0, n, n), rounds=10, warmup_rounds=1)
+    assert benchmark.stats.stats.median <= most
+
+
+@pytest.mark.parametrize(("colors", "most"), [(2, 5), (3, 25)])
+def test_building_a_set(benchmark, colors, most):
+    import skimage.data
+
+    photo = np.repeat(skimage.data.gravel()[..., None], 3, axis=2)
+    tw.texture_tiles(photo, tw.corner_tiles(1))
+    benchmark.pedantic(lambda: tw.texture_tiles(photo, tw.corner_tiles(colors), seed=1), rounds=3)
+    assert benchmark.stats.stats.median <= most
+
+
+def test_import(benchmark):
+    def start(code):
+        subprocess.run([sys.executable, "-c", code], check=True)
+
+    empty = best(lambda: start("pass"))
+    benchmark.pedantic(lambda: start("import tilewright"), rounds=7)
+    assert benchmark.stats.stats.median - empty <= 0.15
+
+
+def test_mixer_alone(benchmark):
+    hash_ = MixerHash(1)
+    axis = np.arange(SIDE, dtype=np.int64)
+    hash_.grid(3, 0, axis, axis)
+    benchmark.pedantic(lambda: hash_.grid(3, 0, axis, axis), rounds=10)
+
+
+STREAM = """
+import resource, sys
+import tilewright as tw
+material = tw.load(sys.argv[1])
+field = tw.TextureField(material, tw.direct(material.tiles))
+field.save(sys.argv[2], width=16384, height=int(sys.argv[3]))
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+"""
+
+
+def test_streaming_16384(benchmark, tmp_path):
+    import skimage.data
+
+    photo = np.repeat(skimage.data.gravel()[..., None], 3, axis=2)
+    tw.save(tw.texture_tiles(photo, seed=1), tmp_path / "set")
+
+    def peak(height):
+        command = [sys.executable, "-c", STREAM, str(tmp_path / "set"), str(tmp_path / "a.tif"), str(height)]
+        done = subprocess.run(command, check=True, capture_output=True, text=True)
+        return float(done.stdout)
+
+    small = peak(2048)
+    large = benchmark.pedantic(lambda: peak(16384), rounds=1)
+    print(f"\npeak memory: {small:.0f} MB at 16384 x 2048, {large:.0f} MB at 16384 x 16384")
+    assert large < 500
+    assert large < small + 40
