@@ -1,1 +1,1 @@
-
+"""Point-set methods without tiles; empty until the points come."""

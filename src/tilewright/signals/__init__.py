@@ -1,1 +1,1 @@
-
+"""What a tile holds."""
