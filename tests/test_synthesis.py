@@ -80,6 +80,15 @@ def test_corner_colors(gravel, colors):
     assert len(centers) == colors**4  # every tile has content of its own
 
 
+def test_many_tiles_from_a_small_photograph(gravel):
+    """Places run out long before 256 tiles; then they may lie nearer to each other, but still differ."""
+    material = synthesize(small(gravel, 110), corner_tiles(4), tile_size=32, seed=1)
+    centers = {tuple(p) for n, p in material.recipe["patches"].items() if n.startswith("center")}
+    assert len(material.pixels) == 256
+    assert len(centers) > 100
+    assert border_misses(material) < 0.06
+
+
 def test_unequal_edge_colors(gravel):
     material = synthesize(small(gravel), wang_tiles(1, 3), tile_size=32, seed=1)
     assert border_misses(material) < 0.06

@@ -50,7 +50,7 @@ def lay_diamonds_with_centers(search: PatchSearch, tiles: TileSet, rng: np.rando
     for tile, slots in enumerate(tiles.slots):
         canvas = _join(search, frame, samples, slots, _near_diagonals(frame))
         shown = [samples.in_tile(frame, side, slots) for side in range(4)]
-        canvas, place = lay_center_patch(search, frame, tile, canvas, (0,), centers + shown)
+        canvas, place = lay_center_patch(search, frame, tile, canvas, (0,), shown, centers)
         canvases.append(canvas)
         centers.append(place)
     return stack(canvases)

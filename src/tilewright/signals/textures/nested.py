@@ -51,9 +51,9 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Pat
     centers: list[Place] = []
     for tile in range(len(plan.tile_edges)):
         canvas = join_edges(frame, [edges[e] for e in plan.tile_edges[tile]])
-        barred = centers + shown_in_tile(frame, plan, tile, corners, edge_places)
+        shown = shown_in_tile(frame, plan, tile, corners, edge_places)
         sources = plan.sources_of_tile(tile)
-        canvas, place = lay_center_patch(search, frame, tile, canvas, sources, barred)
+        canvas, place = lay_center_patch(search, frame, tile, canvas, sources, shown, centers)
         centers.append(place)
         tiles.append(canvas)
     return stack(tiles)
@@ -65,7 +65,7 @@ def lay_edge(
     plan: Plan,
     edge: Edge,
     corners: list[Place],
-    barred: list[Place],
+    earlier: list[Place],
 ) -> tuple[Patchwork, list[Place]]:
     """The canvas of an edge, and the place of its own patch."""
     along, across = frame.along_across(edge.axis)
@@ -86,7 +86,8 @@ def lay_edge(
         frame.ring(core, limit),
         weight,
         sources,
-        [*end_places(frame, edge, corners), *barred],
+        end_places(frame, edge, corners),
+        earlier,
         plain=True,
     )
     return canvas, [place]
@@ -144,12 +145,13 @@ def lay_center_patch(
     tile: int,
     canvas: Patchwork,
     sources: Sequence[int],
-    barred: list[Place],
+    shown: list[Place],
+    earlier: list[Place],
 ) -> tuple[Patchwork, Place]:
     """Lay a tile's own patch over everything but the border."""
     core = frame.superellipse(CENTER_CORE * (MIXED_CORE if len(sources) > 1 else 1))
     state = frame.ring(core, inside_border(frame))
-    return search.lay(f"center:{tile}", canvas, state, even(frame), sources, barred, plain=False)
+    return search.lay(f"center:{tile}", canvas, state, even(frame), sources, shown, earlier, plain=False)
 
 
 def inside_border(frame: Frame) -> NDArray[np.bool_]:

@@ -96,19 +96,23 @@ class PatchSearch:
         state: NDArray[np.uint8],
         weight: NDArray[np.float32],
         sources: Sequence[int],
-        barred: Iterable[Place],
+        shown: Iterable[Place],
+        earlier: Sequence[Place],
         plain: bool,
     ) -> tuple[Patchwork, Place]:
         """Find a patch for an open canvas, cut it in, and return the new canvas and its place.
 
-        ``weight`` is what a seam counts at each pixel; ``plain`` asks for an inconspicuous patch.
+        ``weight`` is what a seam counts at each pixel; places near those ``shown`` on the canvas are not
+        taken, nor, as far as the exemplar has others, places near ``earlier`` patches of the same kind;
+        ``plain`` asks for an inconspicuous patch.
         """
         if name in self.ledger.picked:
             places = [self.checked_pick(name)]
         else:
             score = self._score(canvas, state, weight, sources, plain)
-            bar_places(score, barred, self.exclusion)
+            bar_places(score, shown, self.exclusion)
             bar_places(score, self.ledger.rejected.get(name, ()), self.size / 4)
+            self._bar_if_others_are_left(score, earlier)
             places = best_places(score, CANDIDATES, max(1, round(APART * self.size)))
         if not places:
             raise TilewrightValueError(
@@ -122,6 +126,17 @@ class PatchSearch:
         self.ledger.laid[name] = place
         self.step(name)
         return canvas.with_patch(place, where), place
+
+    def _bar_if_others_are_left(self, score: NDArray[np.float32], earlier: Sequence[Place]) -> None:
+        """Bar places near earlier patches, in a radius small enough that some places stay."""
+        radius = self.exclusion
+        while radius >= 1:
+            trial = score.copy()
+            bar_places(trial, earlier, radius)
+            if np.isfinite(trial).any():
+                score[...] = trial
+                return
+            radius /= 2
 
     def _cut(
         self, canvas: Patchwork, place: Place, state: NDArray[np.uint8], weight: NDArray[np.float32]

@@ -44,9 +44,10 @@ def lay_ng(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Patchwo
     centers: list[Place] = []
     for tile, sides in enumerate(plan.tile_edges):
         canvas = join_edges(frame, [edges[e] for e in sides])
-        barred = centers + shown_in_tile(frame, plan, tile, corners, [[] for _ in edges])
+        shown = shown_in_tile(frame, plan, tile, corners, [[] for _ in edges])
+        sources = plan.sources_of_tile(tile)
         canvas, place = search.lay(
-            f"center:{tile}", canvas, state, even(frame), plan.sources_of_tile(tile), barred, plain=False
+            f"center:{tile}", canvas, state, even(frame), sources, shown, centers, plain=False
         )
         tiles.append(canvas)
         centers.append(place)
