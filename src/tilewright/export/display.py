@@ -1,4 +1,4 @@
-"""What pixels mean to the eye: which maps are light, sRGB, mip levels, and bytes for a screen."""
+"""What pixels mean to the eye: which maps are light, sRGB, and bytes for a screen."""
 
 import re
 from typing import Any
@@ -33,64 +33,8 @@ def to_encoded(linear: NDArray[Any]) -> NDArray[np.float32]:
     return np.where(linear <= 0.0031308, low, high).astype(np.float32)
 
 
-def mip_levels(pixels: NDArray[Any], light: bool) -> list[NDArray[Any]]:
-    """All mip levels of a stack of tiles, shape (T, H, W, channels), down to one texel each.
-
-    Every level is the area-weighted mean of the first, tile by tile: sides are halved and rounded down,
-    so tiles of any size keep their borders on texel borders. Light is averaged linearly, and color by its
-    alpha where there are 2 or 4 channels of it.
-    """
-    levels = [pixels]
-    linear = _premultiplied(pixels, light)
-    while max(levels[-1].shape[1:3]) > 1:
-        height, width = (max(1, side >> len(levels)) for side in pixels.shape[1:3])
-        smaller = _shrink(_shrink(linear, height, 1), width, 2)
-        levels.append(_restored(smaller, pixels.dtype, light))
-    return levels
-
-
 def _has_alpha(channels: int, light: bool) -> bool:
     return light and channels in (2, 4)
-
-
-def _premultiplied(pixels: NDArray[Any], light: bool) -> NDArray[np.float32]:
-    values = pixels.astype(np.float32)
-    if pixels.dtype.kind == "u":
-        values /= np.iinfo(pixels.dtype).max
-    alpha = _has_alpha(values.shape[-1], light)
-    color = values[..., :-1] if alpha else values
-    if light and pixels.dtype.kind == "u":
-        color[...] = to_linear(color)
-    if alpha:
-        color *= values[..., -1:]
-    return values
-
-
-def _restored(values: NDArray[np.float32], kind: np.dtype[Any], light: bool) -> NDArray[Any]:
-    values = values.copy()
-    alpha = _has_alpha(values.shape[-1], light)
-    color = values[..., :-1] if alpha else values
-    if alpha:
-        color /= np.maximum(values[..., -1:], 1e-6)
-    if kind.kind != "u":
-        return values
-    if light:
-        color[...] = to_encoded(color)
-    top = np.iinfo(kind).max
-    return np.rint(np.clip(values, 0, 1) * top).astype(kind)
-
-
-def _shrink(values: NDArray[np.float32], count: int, axis: int) -> NDArray[np.float32]:
-    """Area-weighted means along an axis, to ``count`` samples."""
-    size = values.shape[axis]
-    # Sums up to every border of the new samples, from whole samples and the share of the one it cuts.
-    moved = np.moveaxis(values, axis, 0).astype(np.float64)
-    sums = np.concatenate([np.zeros((1, *moved.shape[1:])), np.cumsum(moved, axis=0)])
-    borders = np.arange(count + 1) * (size / count)
-    whole = np.minimum(borders.astype(int), size - 1)
-    share = (borders - whole).reshape(-1, *[1] * (moved.ndim - 1))
-    at = sums[whole] + share * moved[whole]
-    return np.moveaxis(np.diff(at, axis=0) * (count / size), 0, axis).astype(np.float32)
 
 
 def screen_bytes(pixels: NDArray[Any], light: bool) -> tuple[NDArray[np.uint8], str]:

@@ -13,6 +13,7 @@ uniform usampler2D uTable;       // baked cells, or the tile of each code of an 
 uniform uvec2 uFirst, uMarks;    // hash states: edges or corners; marks of corner-coded sets
 uniform uvec4 uRadices;          // colors of horizontal edges, vertical edges, unused, corners
 uniform uvec2 uOriginX, uOriginY;
+uniform bool uBaked;              // cells lie in uTable and end there
 uniform int uRepeat;             // the tile to repeat everywhere, or -1
 uniform int uSize, uAcross, uTopLevel;  // texels of a tile; tiles along a layer; level of one texel
 uniform vec4 uMean;              // of all tiles, as stored in level uTopLevel
@@ -59,60 +60,66 @@ vec4 sampleLevel(vec2 p, int level, float sharp) {
   vec2 q = rest * (float(n) / float(uSize)) - 0.5;
   vec2 base = floor(q);
   vec2 w = clamp((q - base - 0.5) * sharp + 0.5, 0.0, 1.0);
-  ivec2 i0 = ivec2(base), i1 = i0 + 1;
-  ivec2 before = ivec2(lessThan(i0, ivec2(0))), after = ivec2(greaterThanEqual(i1, ivec2(n)));
-  ivec2 c0 = cell - before, c1 = cell + after;
-  i0 += before * n;
-  i1 -= after * n;
-  int t00 = tileAt(c0);
-  int t10 = c1.x == c0.x ? t00 : tileAt(ivec2(c1.x, c0.y));
-  int t01 = c1.y == c0.y ? t00 : tileAt(ivec2(c0.x, c1.y));
-  int t11 = c1.x == c0.x ? t01 : c1.y == c0.y ? t10 : tileAt(c1);
-  return mix(
-    mix(texel(t00, i0, level, n), texel(t10, ivec2(i1.x, i0.y), level, n), w.x),
-    mix(texel(t01, ivec2(i0.x, i1.y), level, n), texel(t11, i1, level, n), w.x), w.y);
+  vec4 weights = vec4((1.0 - w.x) * (1.0 - w.y), w.x * (1.0 - w.y), (1.0 - w.x) * w.y, w.x * w.y);
+  vec4 sum = vec4(0.0);
+  ivec2 known = ivec2(0x7fffffff);
+  int tile = -1;
+  for (int k = 0; k < 4; k++) {
+    if (weights[k] > 0.0) {
+      ivec2 at = ivec2(base) + ivec2(k & 1, k >> 1);
+      ivec2 over = ivec2(greaterThanEqual(at, ivec2(n))) - ivec2(lessThan(at, ivec2(0)));
+      if (cell + over != known) tile = tileAt(known = cell + over);
+      sum += weights[k] * texel(tile, at - over * n, level, n);
+    }
+  }
+  return sum;
 }
 
 // log2 of a level's texel size; tiles that are no power of two have odd steps.
 float levelSize(int level) { return log2(float(uSize) / float(uSize >> level)); }
 
-// A footprint of 2^lod texels: between two levels; beyond the level of one texel per tile, many tiles
-// average out towards the mean of the set, half as far for each doubling.
-vec4 sampleFootprint(vec2 p, float lod, float sharp) {
-  if (lod <= 0.0) return sampleLevel(p, 0, sharp);
-  float last = levelSize(uTopLevel);
-  if (lod >= last) {
-    float keep = exp2(last - lod);
-    vec4 far = uRepeat < 0 ? uMean : texel(uRepeat, ivec2(0), uTopLevel, 1);
-#ifdef ALGORITHM_BAKED
-    keep = 1.0;
-#endif
-    return keep < 0.01 ? far : mix(far, sampleLevel(p, uTopLevel, 1.0), keep);
-  }
-  int level = min(int(lod), uTopLevel - 1);
-  if (levelSize(level) > lod) level--;
-  float low = levelSize(level), high = levelSize(level + 1);
-  float blend = (lod - low) / (high - low);
-  vec4 fine = sampleLevel(p, level, 1.0);
-  return blend <= 0.0 ? fine : mix(fine, sampleLevel(p, level + 1, 1.0), blend);
-}
-
-// A pixel whose footprint is spanned by dx and dy: up to 16 samples along its longer axis.
+// A pixel whose footprint is spanned by dx and dy: up to 16 samples along its longer axis, each from the
+// two levels around its size. Beyond the level of one texel per tile many tiles average out towards the
+// mean of the set, half as far for each doubling.
 vec4 samplePixel(vec2 p, vec2 dx, vec2 dy) {
   float a = dot(dx, dx), b = dot(dy, dy), c = dx.x * dy.y - dx.y * dy.x;
   float root = sqrt(max((a + b) * (a + b) - 4.0 * c * c, 0.0));
   float major = sqrt(0.5 * (a + b + root)), minor = max(abs(c) / major, 1.0);
-  if (major <= 1.0) return sampleFootprint(p, 0.0, mix(1.0, 1.0 / major, smoothstep(2.0, 6.0, 1.0 / major)));
-  float count = clamp(ceil(major / minor - 0.02), 1.0, 16.0);
-  if (count == 1.0) return sampleFootprint(p, log2(major), 1.0);
+  int count = clamp(int(ceil(major / minor - 0.02)), 1, 16);
+  float lod = max(0.0, log2(major / float(count)));
+  float sharp = mix(1.0, 1.0 / major, smoothstep(2.0, 6.0, 1.0 / major));
+
+  // The two levels, the share of the second, and what is left of the tiles' differences.
+  float last = levelSize(uTopLevel);
+  float keep = uBaked ? 1.0 : exp2(min(0.0, last - lod));
+  lod = min(lod, last);
+  int level = max(0, min(int(lod), uTopLevel - 1));
+  if (levelSize(level) > lod) level--;
+  float low = levelSize(level), high = levelSize(level + 1);
+  float blend = (lod - low) / (high - low);
+
+  vec4 mean = uMean;
+  if (uRepeat >= 0) mean = texel(uRepeat, ivec2(0), uTopLevel, 1);
+  if (keep < 0.01) return mean;
+
   // The longer axis of the ellipse: eigenvector of dx dx' + dy dy'.
-  float xx = dx.x * dx.x + dy.x * dy.x, xy = dx.x * dx.y + dy.x * dy.y;
-  vec2 axis = vec2(major * major - (a + b - xx), xy);
-  axis = dot(axis, axis) < 1e-12 * major * major * major * major ? vec2(0.0, 1.0) : normalize(axis);
-  float lod = log2(major / count);
+  vec2 axis = vec2(0.0);
+  if (count > 1) {
+    float xx = dx.x * dx.x + dy.x * dy.x, xy = dx.x * dx.y + dy.x * dy.y;
+    axis = vec2(major * major - (a + b - xx), xy);
+    float size = length(axis);
+    axis = size < 1e-6 * major * major ? vec2(0.0, major) : axis * (major / size);
+  }
   vec4 sum = vec4(0.0);
-  for (float i = 0.5; i < count; i++) sum += sampleFootprint(p + axis * major * (i / count - 0.5), lod, 1.0);
-  return sum / count;
+  for (int i = 0; i < 2 * count; i++) {
+    bool second = i >= count;
+    float share = second ? blend : 1.0 - blend;
+    if (share > 0.0) {
+      float along = (float(second ? i - count : i) + 0.5) / float(count) - 0.5;
+      sum += share * sampleLevel(p + axis * along, second ? level + 1 : level, sharp);
+    }
+  }
+  return mix(mean, sum / float(count), keep);
 }
 
 vec3 toShown(vec3 c) {

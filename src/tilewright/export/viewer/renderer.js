@@ -135,6 +135,7 @@ class Renderer {
     gl.uniform4ui(u.uRadices, ...material.tiling.radices);
     gl.uniform2ui(u.uOriginX, ...words(camera.cellX));
     gl.uniform2ui(u.uOriginY, ...words(camera.cellY));
+    gl.uniform1i(u.uBaked, material.tiling.algorithm === "baked" ? 1 : 0);
     gl.uniform1i(u.uRepeat, look.repeat ? material.repeat : -1);
     gl.uniform1i(u.uSize, material.tileSize);
     gl.uniform1i(u.uAcross, this.across);
