@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import Progress, TilewrightValueError, check_choice, check_int
+from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError, check_choice, check_int
 from tilewright.files.images import check_writable
 from tilewright.files.streams import stream_image
 from tilewright.signals.textures import TextureTiles
@@ -67,19 +67,16 @@ class TextureField:
         -------
         array, shape (height, width, channels), of the map's type
         """
-        from tilewright.kernels.assembly import copy_tiles
-
         tiles = self._map(map)
         size, channels = tiles.shape[1], tiles.shape[3]
         column, left, columns = self._cells("x", x, "width", width)
         row, top, rows = self._cells("y", y, "height", height)
         if out is None:
-            out = np.empty((height, width, channels), tiles.dtype)
-        elif out.shape != (height, width, channels) or out.dtype != tiles.dtype or not out.flags.c_contiguous:
-            raise TilewrightValueError(
-                f"out is {out.dtype} {out.shape}; expected {tiles.dtype} {(height, width, channels)}, "
-                "C-contiguous"
-            )
+            out = _make_out((height, width, channels), tiles.dtype)
+        else:
+            _check_out(out, (height, width, channels), tiles.dtype)
+        from tilewright.kernels.assembly import copy_tiles
+
         pixel = channels * tiles.itemsize
         copy_tiles(
             np.ascontiguousarray(tiles).view(np.uint8).reshape(len(tiles), size, size * pixel),
@@ -103,7 +100,7 @@ class TextureField:
         map: str | None = None,
         progress: Progress | None = None,
     ) -> None:
-        """Render a window to a file, a band of rows at a time, in memory that does not grow with height.
+        """Render a window to a file, a block at a time, in memory that does not grow with the window.
 
         ``.tif`` becomes a tiled BigTIFF, ``.png`` holds 8 and 16 bit, ``.exr`` holds float. The file
         appears when it is complete; raise `Cancelled` in ``progress`` to stop.
@@ -113,12 +110,12 @@ class TextureField:
         self._cells("x", x, "width", width)
         self._cells("y", y, "height", height)
 
-        def band(first: int, count: int) -> NDArray[Any]:
+        def block(left: int, top: int, columns: int, rows: int) -> NDArray[Any]:
             if progress is not None:
-                progress(first, height, f"rendering {Path(path).name}")
-            return self.render(x, y + first, width, count, map=map)
+                progress(top, height, f"rendering {Path(path).name}")
+            return self.render(x + left, y + top, columns, rows, map=map)
 
-        stream_image(path, band, height, width, tiles.shape[3], tiles.dtype)
+        stream_image(path, block, height, width, tiles.shape[3], tiles.dtype)
         if progress is not None:
             progress(height, height, f"rendering {Path(path).name}")
 
@@ -135,3 +132,22 @@ class TextureField:
         first = check_int(axis, first, -reach, reach - count)
         cell, skipped = divmod(first, size)
         return cell, skipped, (skipped + count - 1) // size + 1
+
+
+def _make_out(shape: tuple[int, ...], kind: np.dtype[Any]) -> NDArray[Any]:
+    try:
+        return np.empty(shape, kind)
+    except (MemoryError, ValueError):
+        raise TilewrightValueError(
+            f"a window of {shape[1]} x {shape[0]} pixels does not fit in memory; "
+            "render smaller ones, or save() it to a file"
+        ) from None
+
+
+def _check_out(out: NDArray[Any], shape: tuple[int, ...], kind: np.dtype[Any]) -> None:
+    if not isinstance(out, np.ndarray):
+        raise TilewrightTypeError(f"out must be an array, not {type(out).__name__}")
+    if out.shape != shape or out.dtype != kind or not (out.flags.c_contiguous and out.flags.writeable):
+        raise TilewrightValueError(
+            f"out is {out.dtype} {out.shape}; expected {kind} {shape}, C-contiguous and writable"
+        )

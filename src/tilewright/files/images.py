@@ -1,5 +1,6 @@
 """Photographs and pictures: read and written with their type kept, 8-bit, 16-bit and float."""
 
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -9,36 +10,35 @@ from numpy.typing import NDArray
 from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
 from tilewright.files.whole import whole_file
 
-READABLE = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".bmp", ".webp", ".tga", ".hdr")
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float32, "float": np.float32}
+_MOST_CHANNELS = 4
+_PNG = b"\x89PNG\r\n\x1a\n"
 
 
 def read_image(path: str | Path) -> NDArray[Any]:
     """The pixels of an image file, shape (height, width, channels), 1 to 4 channels.
 
     8-bit files come as uint8, 16-bit ones as uint16, half and float ones as float32; palettes are
-    expanded; alpha is kept as it is in the file, not multiplied in.
+    expanded; alpha is kept as it is in the file, not multiplied in; a photograph that its camera marked
+    as turned or mirrored comes upright.
 
     Raises
     ------
     TilewrightFileError
-        The file cannot be read, is not an image, or is truncated.
+        The file cannot be read, is not an image, is truncated, or has pixels of another kind.
     """
     path = Path(path)
-    if path.is_dir():
-        raise TilewrightFileError(f"{path} is a folder; an image file is expected")
-    if not path.is_file():
-        raise TilewrightFileError(f"{path} does not exist")
-    if path.suffix.lower() == ".png":
-        _check_png(path)
+    _check_readable(path)
     import OpenImageIO as oiio
 
     config = oiio.ImageSpec()
     config.attribute("oiio:UnassociatedAlpha", 1)
     source = oiio.ImageInput.open(str(path), config)
     if source is None:
-        reason = " ".join(oiio.geterror().split())
-        raise TilewrightFileError(f"{path} cannot be read as an image ({reason or 'unknown format'})")
+        reason = first_line(oiio.geterror()) or "unknown format"
+        raise TilewrightFileError(
+            f"{path} cannot be read as an image, such as PNG, JPEG, TIFF or EXR ({reason})"
+        )
     try:
         spec = source.spec()
         kind = _TYPES.get(str(spec.format))
@@ -46,37 +46,92 @@ def read_image(path: str | Path) -> NDArray[Any]:
             raise TilewrightFileError(
                 f"{path} holds {spec.format} pixels; allowed are 8-bit, 16-bit, half and float"
             )
+        if spec.nchannels > _MOST_CHANNELS:
+            raise TilewrightFileError(
+                f"{path} has {spec.nchannels} channels; allowed are 1 to {_MOST_CHANNELS}"
+            )
         wanted = "float" if kind is np.float32 else str(spec.format)
-        pixels = source.read_image(0, 0, 0, min(spec.nchannels, 4), wanted)
+        pixels = source.read_image(0, 0, 0, spec.nchannels, wanted)
         broken = bool(source.has_error)
-        reason = " ".join(source.geterror().split())
+        reason = first_line(source.geterror()) or "not all pixels are there"
     finally:
         source.close()
     if pixels is None or broken:
-        raise TilewrightFileError(f"{path} is truncated or damaged ({reason or 'not all pixels are there'})")
-    return np.ascontiguousarray(pixels.reshape(spec.height, spec.width, -1).astype(kind, copy=False))
+        raise TilewrightFileError(f"{path} is truncated or damaged ({reason})")
+    pixels = pixels.reshape(spec.height, spec.width, -1).astype(kind, copy=False)
+    return _upright(pixels, spec.get_int_attribute("Orientation", 1))
 
 
-def _check_png(path: Path) -> None:
-    """Refuse a damaged PNG before a C library prints its own complaint."""
-    from PIL import Image
-
+def _check_readable(path: Path) -> None:
+    """Refuse what is no file, and a damaged PNG before a C library prints its own complaint."""
     try:
-        with Image.open(path) as image:
-            image.verify()
-    except Exception as error:
-        reason = " ".join(str(error).split()) or type(error).__name__
-        raise TilewrightFileError(f"{path} is not a whole PNG image ({reason})") from None
+        if path.is_dir():
+            raise TilewrightFileError(f"{path} is a folder; an image file is expected")
+        if not path.exists():
+            raise TilewrightFileError(f"{path} does not exist")
+        if not path.is_file():
+            raise TilewrightFileError(f"{path} is not a plain file; an image file is expected")
+        fault = png_fault(path)
+    except TilewrightFileError:
+        raise
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise TilewrightFileError(f"{path} cannot be read: {reason}") from None
+    if fault:
+        raise TilewrightFileError(f"{path} is not a whole PNG image ({fault})")
+
+
+def png_fault(path: Path) -> str:
+    """What is wrong with the chunks of a PNG file; nothing where it is whole, or another kind of file."""
+    with path.open("rb") as file:
+        if file.read(len(_PNG)) != _PNG:
+            return ""
+        while len(head := file.read(8)) == 8:
+            left, kind = int.from_bytes(head[:4]), head[4:]
+            checksum = zlib.crc32(kind)
+            while left and (piece := file.read(min(left, 1 << 20))):
+                left -= len(piece)
+                checksum = zlib.crc32(piece, checksum)
+            given = file.read(4)
+            if len(given) < 4:
+                break
+            # A chunk whose name starts with a small letter is not needed for the pixels.
+            if int.from_bytes(given) != checksum and kind[:1].isupper():
+                return f"the checksum of its chunk {kind.decode('latin-1')!r} is wrong"
+            if kind == b"IEND":
+                return ""
+        return "it is truncated"
+
+
+def _upright(pixels: NDArray[Any], orientation: int) -> NDArray[Any]:
+    """Pixels turned as the Exif orientation 1 to 8 says: which sides row 0 and column 0 show."""
+    if orientation in (5, 6, 7, 8):
+        pixels = pixels.swapaxes(0, 1)
+    if orientation in (3, 4, 7, 8):
+        pixels = pixels[::-1]
+    if orientation in (2, 3, 6, 7):
+        pixels = pixels[:, ::-1]
+    return np.ascontiguousarray(pixels)
+
+
+def first_line(text: str) -> str:
+    """The first of the complaints an image library has gathered, on one line."""
+    return " ".join(text.strip().partition("\n")[0].split())
 
 
 def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
     """Write pixels, shape (height, width, channels), losslessly, or not at all.
 
-    PNG takes uint8 and uint16, TIFF all types, EXR float32. The file appears under its name only when it is
-    complete.
+    PNG takes uint8 and uint16, TIFF all types, EXR float32; 1 to 4 channels. The file appears under its
+    name only when it is complete.
     """
     path = Path(path)
     kind = check_writable(path, pixels.dtype)
+    if pixels.ndim != 3 or not 1 <= pixels.shape[2] <= _MOST_CHANNELS or 0 in pixels.shape:
+        raise TilewrightValueError(
+            f"pixels has shape {pixels.shape}; expected (height, width, channels), none of them 0, with "
+            f"1 to {_MOST_CHANNELS} channels"
+        )
     import OpenImageIO as oiio
 
     height, width, channels = pixels.shape
@@ -90,9 +145,9 @@ def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
     with whole_file(path) as unfinished:
         output = oiio.ImageOutput.create(str(unfinished))
         if output is None:
-            raise TilewrightFileError(f"{path} could not be written ({' '.join(oiio.geterror().split())})")
+            raise TilewrightFileError(f"{path} could not be written ({first_line(oiio.geterror())})")
         written = output.open(str(unfinished), spec) and output.write_image(np.ascontiguousarray(pixels))
-        reason = " ".join(output.geterror().split())
+        reason = first_line(output.geterror())
         written = output.close() and written
         # The library does not always report that a disk is full, so the file is read again.
         if not (written and _holds(unfinished, pixels)):
@@ -121,7 +176,7 @@ def check_writable(path: Path, kind: np.dtype[Any]) -> str:
     }
     if suffix not in allowed:
         raise TilewrightValueError(
-            f"{path} ends in {suffix or 'nothing'!r}; allowed are {', '.join(allowed)}"
+            f"{path} {f'ends in {suffix!r}' if suffix else 'has no suffix'}; allowed are {', '.join(allowed)}"
         )
     if names[kind] not in allowed[suffix]:
         fits = [s for s, kinds in allowed.items() if names[kind] in kinds and s != ".tiff"]

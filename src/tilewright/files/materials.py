@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.files.images import read_image
 from tilewright.signals.textures import Exemplar, TextureTiles
+from tilewright.signals.textures.exemplar import check_map
 from tilewright.tiles import TileSet, corner_tiles
 
 Picture = str | Path | NDArray[Any]
@@ -50,6 +51,8 @@ def texture_tiles(
     mask: Picture | None = None,
     second_mask: Picture | None = None,
     weights: dict[str, float] | None = None,
+    tile_size: int | str = 128,
+    seed: int = 0,
     **options: Any,
 ) -> TextureTiles:
     """Texture tiles from a photograph; see `open_exemplar` for the pictures.
@@ -58,22 +61,39 @@ def texture_tiles(
     ----------
     tiles : TileSet, optional
         The complete corner set over 2 colors by default, over 4 with two photographs.
+    tile_size : int or "auto"
+        Pixels along a tile.
+    seed : int
+        The same seed gives the same bytes.
     **options
-        ``tile_size``, ``seed``, ``method``, ``pick``, ``reject``, ``threads`` and ``progress``, as in
-        `tilewright.synthesize`.
+        ``method``, ``pick``, ``reject``, ``threads`` and ``progress``, as in `tilewright.synthesize`.
+
+    Raises
+    ------
+    TilewrightFileError
+        A file is not a whole image.
+    TilewrightValueError, TilewrightTypeError
+        A picture, size or option that cannot be used; the message names it and what is allowed.
     """
     from tilewright.signals.textures import synthesize
 
     exemplar = open_exemplar(photo, second=second, mask=mask, second_mask=second_mask, weights=weights)
-    return synthesize(exemplar, tiles or corner_tiles(2 if second is None else 4), **options)
+    if tiles is None:
+        tiles = corner_tiles(2 if second is None else 4)
+    return synthesize(exemplar, tiles, tile_size=tile_size, seed=seed, **options)
 
 
 def _open_maps(photo: Photo) -> dict[str, NDArray[Any]]:
     if isinstance(photo, Mapping):
         if not photo:
             raise TilewrightValueError("photo is an empty dict; at least one map is needed")
-        return {str(name): _open(picture, f"map {name!r}") for name, picture in photo.items()}
-    return {"albedo": _open(photo, "photo")}
+        return {str(name): _open_map(picture, f"map {name!r}") for name, picture in photo.items()}
+    return {"albedo": _open_map(photo, "photo")}
+
+
+def _open_map(picture: Picture, what: str) -> NDArray[Any]:
+    """A map, checked at once, so that what is wrong with a file is said with its name."""
+    return check_map(str(picture) if isinstance(picture, (str, Path)) else what, _open(picture, what))
 
 
 def _open(picture: Picture, what: str) -> NDArray[Any]:
@@ -88,7 +108,9 @@ def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:
     if mask is None:
         return None
     pixels = _open(mask, "mask")
-    if pixels.ndim == 3:
-        pixels = pixels[..., : min(3, pixels.shape[2])].mean(axis=2).astype(pixels.dtype)
+    if pixels.dtype == bool:
+        return pixels
     white = np.iinfo(pixels.dtype).max if pixels.dtype.kind == "u" else 1
-    return pixels.astype(bool) if pixels.dtype == bool else pixels >= white / 2
+    if pixels.ndim == 3:  # grey or color, either of them with alpha, which does not count
+        pixels = pixels[..., : 1 if pixels.shape[2] < 3 else 3].mean(axis=2)
+    return pixels >= white / 2

@@ -4,7 +4,8 @@ The format is described in ``docs/tileset-folder.md``.
 """
 
 import hashlib
-from pathlib import Path, PurePosixPath
+import os
+from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
 import msgspec
@@ -21,6 +22,7 @@ from tilewright.tiles.shape import Shape
 
 MANIFEST = "tileset.json"
 SCHEMA = 1
+_DROPPED_BY_SYSTEMS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 
 class Tiles(msgspec.Struct, forbid_unknown_fields=True):
@@ -58,14 +60,15 @@ class _Header(msgspec.Struct):
 def save(material: TextureTiles, folder: str | Path) -> None:
     """Write texture tiles to a folder, whole or not at all.
 
-    A folder that holds a ``tileset.json`` is replaced; any other folder that is not empty is refused.
+    A folder that holds a tile set and nothing else is replaced; any other one that is not empty is
+    refused.
 
     Raises
     ------
     TilewrightFileError
         The folder cannot be written, or the disk is full; nothing half-written is left.
     """
-    with whole_folder(folder, MANIFEST) as unfinished:
+    with whole_folder(folder, _objection) as unfinished:
         writer = _Writer(unfinished)
         count = len(material.tiles)
         digits = len(str(count - 1))
@@ -122,7 +125,7 @@ def load(folder: str | Path) -> TextureTiles:
         this program, or names a file outside the folder.
     """
     folder = Path(folder)
-    if not folder.is_dir():
+    if not os.path.isdir(folder):
         raise TilewrightFileError(f"{folder} is not a folder; a tile-set folder with {MANIFEST} is expected")
     manifest = _read_manifest(folder / MANIFEST)
     read = _Reader(folder, manifest.checksums)
@@ -136,13 +139,17 @@ def load(folder: str | Path) -> TextureTiles:
         origins = _stack("origins", [read.image(f) for f in manifest.origins], count, size)
         sources = tuple({n: read.image(f) for n, f in source.items()} for source in manifest.sources)
         masks = tuple(read.image(f)[..., 0] > 127 for f in manifest.masks)
-        if origins.dtype != np.uint16 or origins.shape[3] != 3:
-            raise TilewrightFileError("origins must be 16-bit images with three channels")
+        _check_sources(sources, masks, maps)
+        _check_origins(origins, sources)
         return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks)
     except TilewrightError as error:
         message = str(error)
         prefix = "" if message.startswith(str(folder)) else f"{folder / MANIFEST}: "
         raise TilewrightFileError(prefix + message) from None
+    except OSError as error:
+        raise TilewrightFileError(
+            f"{folder} cannot be read: {(error.strerror or str(error)).lower()}"
+        ) from None
 
 
 def _read_manifest(path: Path) -> Manifest:
@@ -156,9 +163,28 @@ def _read_manifest(path: Path) -> Manifest:
             raise TilewrightFileError(
                 f"{path} has schema {schema}; this version of tilewright reads up to {SCHEMA}: update it"
             )
-        return msgspec.json.decode(text, type=Manifest)
-    except msgspec.DecodeError as error:
+        manifest = msgspec.json.decode(text, type=Manifest)
+    except (msgspec.DecodeError, RecursionError) as error:
         raise TilewrightFileError(f"{path} is damaged: {error}") from None
+    if schema < 1 or manifest.signal != "texture":
+        raise TilewrightFileError(
+            f"{path} has schema {schema} and signal {manifest.signal!r}; expected 1 to {SCHEMA} and 'texture'"
+        )
+    return manifest
+
+
+def _objection(folder: Path) -> str:
+    """Why a folder must not be replaced by a tile set; nothing where it may."""
+    try:
+        ours = {MANIFEST, *_read_manifest(folder / MANIFEST).checksums}
+    except TilewrightFileError:
+        return f"holds other things and no {MANIFEST} of this program"
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder).as_posix()
+        is_folder = path.is_dir() and not path.is_symlink()
+        if not (is_folder or name in ours or path.name in _DROPPED_BY_SYSTEMS):
+            return f"holds {name}, which is not part of its tile set"
+    return ""
 
 
 def _tiles(given: Tiles) -> TileSet:
@@ -183,6 +209,41 @@ def _stack(name: str, pictures: list[NDArray[Any]], count: int, size: int) -> ND
                 f"{(size, size, pictures[0].shape[2])}"
             )
     return np.stack(pictures)
+
+
+def _check_sources(
+    sources: tuple[dict[str, NDArray[Any]], ...],
+    masks: tuple[NDArray[np.bool_], ...],
+    maps: dict[str, NDArray[Any]],
+) -> None:
+    """Raise unless every source has all maps, of one size, and masks, if any, fit."""
+    if not sources or len(masks) not in (0, len(sources)):
+        raise TilewrightFileError(
+            f"there are {len(sources)} sources and {len(masks)} masks; expected as many"
+        )
+    for number, source in enumerate(sources):
+        if list(source) != list(maps):
+            raise TilewrightFileError(f"source {number} has maps {list(source)}; the tiles have {list(maps)}")
+        sizes = [pixels.shape[:2] for pixels in (*source.values(), *masks[number : number + 1])]
+        if len(set(sizes)) > 1:
+            raise TilewrightFileError(f"the maps and mask of source {number} differ in size: {sizes}")
+        for name, pixels in source.items():
+            if (pixels.dtype, pixels.shape[2]) != (maps[name].dtype, maps[name].shape[3]):
+                raise TilewrightFileError(
+                    f"map {name!r} of source {number} is {pixels.dtype} with {pixels.shape[2]} channels; its "
+                    f"tiles are {maps[name].dtype} with {maps[name].shape[3]}"
+                )
+
+
+def _check_origins(origins: NDArray[Any], sources: tuple[dict[str, NDArray[Any]], ...]) -> None:
+    """Raise unless every origin is a pixel of a source."""
+    if origins.dtype != np.uint16 or origins.shape[3] != 3:
+        raise TilewrightFileError("origins must be 16-bit images with three channels")
+    sizes = np.array([next(iter(source.values())).shape[:2] for source in sources])
+    for t, spots in enumerate(origins):
+        number = spots[..., 0]
+        if number.max() >= len(sources) or (spots[..., 1:] >= sizes[number]).any():
+            raise TilewrightFileError(f"tile {t} of origins names a pixel outside its source")
 
 
 def _safe(name: str) -> str:
@@ -218,11 +279,10 @@ class _Reader:
         self.checksums = checksums
 
     def image(self, name: str) -> NDArray[Any]:
+        """The pixels of a file the manifest names."""
         path = self.folder / name
-        parts = PurePosixPath(name).parts
-        inside = not PurePosixPath(name).is_absolute() and ".." not in parts and "\\" not in name
-        if not inside or not path.resolve().is_relative_to(self.folder.resolve()):
-            raise TilewrightFileError(f"{name!r} leaves the folder; only files inside it may be named")
+        if not self._is_inside(name):
+            raise TilewrightFileError(f"{name[:200]!r} leaves the folder; only files inside it may be named")
         if not path.is_file():
             raise TilewrightFileError(f"{path} is missing")
         if name not in self.checksums:
@@ -230,3 +290,10 @@ class _Reader:
         if hashlib.sha256(path.read_bytes()).hexdigest() != self.checksums[name]:
             raise TilewrightFileError(f"{path} was changed since the set was made: its checksum is wrong")
         return read_image(path)
+
+    def _is_inside(self, name: str) -> bool:
+        """Whether a name, links followed, is that of a file in the folder on any system."""
+        posix, windows = PurePosixPath(name), PureWindowsPath(name)
+        if posix.is_absolute() or windows.anchor or ".." in posix.parts or "\\" in name or "\0" in name:
+            return False
+        return os.path.realpath(self.folder / name).startswith(os.path.realpath(self.folder) + os.sep)

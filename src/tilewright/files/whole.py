@@ -3,84 +3,95 @@
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from tilewright.errors import TilewrightFileError
 
 
-def explain(path: Path, error: OSError) -> TilewrightFileError:
-    """One line for an operating system's refusal."""
-    return TilewrightFileError(f"{path} could not be written: {(error.strerror or str(error)).lower()}")
+@contextmanager
+def _explained(path: Path) -> Iterator[None]:
+    """Turn an operating system's refusal into one line that names ``path``."""
+    try:
+        yield
+    except TilewrightFileError:
+        raise
+    except OSError as error:
+        reason = (error.strerror or str(error)).lower()
+        raise TilewrightFileError(f"{path} could not be written: {reason}") from None
+    except ValueError as error:
+        if "null byte" not in str(error):
+            raise
+        raise TilewrightFileError(f"{str(path)!r} could not be written: {error}") from None
 
 
-def _parent(path: Path) -> Path:
-    parent = path.absolute().parent
-    if not parent.is_dir():
-        raise TilewrightFileError(f"{path} could not be written: the folder {parent} does not exist")
-    return parent
+def _real(path: Path) -> Path:
+    """Where ``path`` leads, links followed; its parent must be there."""
+    real = Path(os.path.realpath(path))
+    if not real.parent.is_dir():
+        raise TilewrightFileError(f"{path} could not be written: the folder {real.parent} does not exist")
+    return real
 
 
 @contextmanager
 def whole_file(path: str | Path) -> Iterator[Path]:
     """Yield a name to write to; it becomes ``path`` when the block ends well, and is gone otherwise."""
     path = Path(path)
-    if path.is_dir():
-        raise TilewrightFileError(f"{path} is a folder; a file name is expected")
-    try:
-        handle, name = tempfile.mkstemp(prefix=".unfinished-", suffix=path.suffix, dir=_parent(path))
+    with _explained(path):
+        real = _real(path)
+        if real.is_dir():
+            raise TilewrightFileError(f"{path} is a folder; a file name is expected")
+        if real.exists() and not real.is_file():
+            raise TilewrightFileError(f"{path} is not a plain file; choose another name")
+        handle, name = tempfile.mkstemp(prefix=".unfinished-", suffix=path.suffix, dir=real.parent)
         os.close(handle)
-    except OSError as error:
-        if isinstance(error, TilewrightFileError):
-            raise
-        raise explain(path, error) from None
-    unfinished = Path(name)
-    try:
-        yield unfinished
-        os.chmod(unfinished, 0o666 & ~_umask())
-        os.replace(unfinished, path)
-    except TilewrightFileError:
-        raise
-    except OSError as error:
-        raise explain(path, error) from None
-    finally:
-        unfinished.unlink(missing_ok=True)
+        unfinished = Path(name)
+        try:
+            yield unfinished
+            os.chmod(unfinished, 0o666 & ~_umask())
+            os.replace(unfinished, real)
+        finally:
+            unfinished.unlink(missing_ok=True)
 
 
 @contextmanager
-def whole_folder(path: str | Path, mark: str) -> Iterator[Path]:
+def whole_folder(path: str | Path, objection: Callable[[Path], str]) -> Iterator[Path]:
     """Yield a new folder to fill; it becomes ``path`` when the block ends well, and is gone otherwise.
 
-    A folder that is there already is replaced only if it is empty or holds a file called ``mark``.
+    A folder that is there already and is not empty is replaced, unless there is an ``objection``.
     """
     path = Path(path)
-    if path.exists() and not path.is_dir():
-        raise TilewrightFileError(f"{path} is a file; a folder is expected")
-    if path.is_dir() and any(path.iterdir()) and not (path / mark).is_file():
-        raise TilewrightFileError(f"{path} holds other things and no {mark}; choose a new folder")
+    with _explained(path):
+        real = _real(path)
+        if real.exists() and not real.is_dir():
+            raise TilewrightFileError(f"{path} is a file; a folder is expected")
+        if real.is_dir() and any(real.iterdir()) and (reason := objection(real)):
+            raise TilewrightFileError(f"{path} {reason}; choose a new folder")
+        unfinished = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=real.parent))
+        try:
+            yield unfinished
+            os.chmod(unfinished, 0o777 & ~_umask())
+            _put(unfinished, real)
+        finally:
+            shutil.rmtree(unfinished, ignore_errors=True)
+
+
+def _put(new: Path, path: Path) -> None:
+    """Give a folder its name; one that had the name is removed afterwards, or gets it back."""
+    if not path.exists():
+        os.replace(new, path)
+        return
+    old = Path(tempfile.mkdtemp(prefix=".replaced-", dir=path.parent))
     try:
-        unfinished = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=_parent(path)))
-    except OSError as error:
-        if isinstance(error, TilewrightFileError):
+        os.replace(path, old / path.name)
+        try:
+            os.replace(new, path)
+        except BaseException:
+            os.replace(old / path.name, path)
             raise
-        raise explain(path, error) from None
-    try:
-        yield unfinished
-        os.chmod(unfinished, 0o777 & ~_umask())
-        if path.exists():
-            old = Path(tempfile.mkdtemp(prefix=".replaced-", dir=path.absolute().parent)) / "old"
-            os.replace(path, old)
-            os.replace(unfinished, path)
-            shutil.rmtree(old.parent, ignore_errors=True)
-        else:
-            os.replace(unfinished, path)
-    except TilewrightFileError:
-        raise
-    except OSError as error:
-        raise explain(path, error) from None
     finally:
-        shutil.rmtree(unfinished, ignore_errors=True)
+        shutil.rmtree(old, ignore_errors=True)
 
 
 def _umask() -> int:

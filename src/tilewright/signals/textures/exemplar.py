@@ -62,35 +62,37 @@ def _check_source(number: int, source: Maps) -> Maps:
     checked = {}
     sizes = {}
     for name, given in source.items():
-        what = f"map {name!r} of source {number}"
-        pixels = np.asarray(given)
-        if pixels.dtype == np.float64 or pixels.dtype == np.float16:
-            pixels = pixels.astype(np.float32)
-        if pixels.dtype not in (np.uint8, np.uint16, np.float32):
-            raise TilewrightTypeError(f"{what} has type {pixels.dtype}; allowed are uint8, uint16, float32")
-        if pixels.ndim == 2:
-            pixels = pixels[..., np.newaxis]
-        if pixels.ndim != 3 or not 1 <= pixels.shape[2] <= 4:
-            raise TilewrightValueError(
-                f"{what} has shape {np.shape(given)}; expected (height, width) or "
-                "(height, width, channels) with 1 to 4 channels"
-            )
-        if min(pixels.shape[:2]) < SMALLEST_SIDE or max(pixels.shape[:2]) > LARGEST_SIDE:
-            raise TilewrightValueError(
-                f"{what} is {pixels.shape[1]} x {pixels.shape[0]} pixels; "
-                f"allowed are {SMALLEST_SIDE} to {LARGEST_SIDE} on each side"
-            )
-        if pixels.dtype == np.float32 and not np.isfinite(pixels).all():
-            y, x = (int(v[0]) for v in (~np.isfinite(pixels).all(axis=2)).nonzero())
-            raise TilewrightValueError(
-                f"{what} is not finite at x={x}, y={y}; NaN and infinity are not allowed"
-            )
-        checked[name] = np.ascontiguousarray(pixels)
-        sizes[name] = pixels.shape[:2]
+        checked[name] = check_map(f"map {name!r} of source {number}", given)
+        sizes[name] = checked[name].shape[:2]
     if len(set(sizes.values())) > 1:
         listing = ", ".join(f"{name} {w} x {h}" for name, (h, w) in sizes.items())
         raise TilewrightValueError(f"the maps of source {number} differ in size: {listing}")
     return checked
+
+
+def check_map(what: str, given: Any) -> NDArray[Any]:
+    """Pixels a texture can be made from, shape (h, w, channels); ``what`` they are, for messages."""
+    pixels = np.asarray(given)
+    if pixels.dtype == np.float64 or pixels.dtype == np.float16:
+        pixels = pixels.astype(np.float32)
+    if pixels.dtype not in (np.uint8, np.uint16, np.float32):
+        raise TilewrightTypeError(f"{what} has type {pixels.dtype}; allowed are uint8, uint16, float32")
+    if pixels.ndim == 2:
+        pixels = pixels[..., np.newaxis]
+    if pixels.ndim != 3 or not 1 <= pixels.shape[2] <= 4:
+        raise TilewrightValueError(
+            f"{what} has shape {np.shape(given)}; expected (height, width) or "
+            "(height, width, channels) with 1 to 4 channels"
+        )
+    if min(pixels.shape[:2]) < SMALLEST_SIDE or max(pixels.shape[:2]) > LARGEST_SIDE:
+        raise TilewrightValueError(
+            f"{what} is {pixels.shape[1]} x {pixels.shape[0]} pixels; "
+            f"allowed are {SMALLEST_SIDE} to {LARGEST_SIDE} on each side"
+        )
+    if pixels.dtype == np.float32 and not np.isfinite(pixels).all():
+        y, x = (int(v[0]) for v in (~np.isfinite(pixels).all(axis=2)).nonzero())
+        raise TilewrightValueError(f"{what} is not finite at x={x}, y={y}; NaN and infinity are not allowed")
+    return np.ascontiguousarray(pixels)
 
 
 def _check_alike(sources: tuple[Maps, ...]) -> None:
