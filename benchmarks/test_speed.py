@@ -5,67 +5,12 @@
 
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
 
 import tilewright as tw
-from tilewright.tilings.hashes import MixerHash
-
-SIDE = 4096
-
-
-def best(job, repeats=5):
-    """Least seconds of several runs."""
-    took = []
-    for _ in range(repeats):
-        started = time.perf_counter()
-        job()
-        took.append(time.perf_counter() - started)
-    return min(took)
-
-
-def numpy_ids(seed, out):
-    """The same tile ids in vectorized NumPy, the whole window at once."""
-
-    def mix(h):
-        h ^= h >> np.uint32(16)
-        h *= np.uint32(0x21F0AAAD)
-        h ^= h >> np.uint32(15)
-        h *= np.uint32(0xD35A2D97)
-        h ^= h >> np.uint32(15)
-        return h
-
-    y = np.arange(SIDE + 1, dtype=np.uint32)
-    a = np.full(SIDE + 1, 0x243F6A88, np.uint32)
-    b = np.full(SIDE + 1, 0x85A308D3, np.uint32)
-    zero = np.zeros_like(y)
-    for word in (zero, zero + np.uint32(seed), zero, zero, zero, zero, zero, y):
-        a = mix(a ^ word)
-        b = mix((b ^ a) + word)
-    h = np.arange(SIDE + 1, dtype=np.uint32)[None] ^ a[:, None]
-    h ^= h >> np.uint32(16)
-    h *= np.uint32(0x21F0AAAD)
-    h += b[:, None]
-    h ^= h >> np.uint32(15)
-    h *= np.uint32(0xD35A2D97)
-    h ^= h >> np.uint32(15)
-    c = ((h >> np.uint32(8)) * np.uint32(2)) >> np.uint32(24)
-    np.copyto(out, ((c[:-1, 1:] * 2 + c[1:, 1:]) * 2 + c[1:, :-1]) * 2 + c[:-1, :-1], casting="unsafe")
-
-
-def test_tile_ids_against_numpy(benchmark):
-    tiling = tw.direct(tw.corner_tiles(2), 5)
-    ours, theirs = np.empty((SIDE, SIDE), np.int32), np.empty((SIDE, SIDE), np.int32)
-    tiling.indices(0, 0, SIDE, SIDE, out=ours)
-    peer = best(lambda: numpy_ids(5, theirs), 3)
-    assert np.array_equal(ours, theirs)
-    benchmark.pedantic(lambda: tiling.indices(0, 0, SIDE, SIDE, out=ours), rounds=10)
-    took = benchmark.stats.stats.median
-    print(f"\ntile ids: {SIDE * SIDE / took / 1e6:.0f} M/s, {peer / took:.1f}x NumPy")
-    assert peer / took >= 10
-    assert SIDE * SIDE / took >= 200e6
+from timing import best
 
 
 def test_render_against_copyto(benchmark):
@@ -85,14 +30,6 @@ def test_render_against_copyto(benchmark):
     assert peer / took >= 0.5
 
 
-@pytest.mark.parametrize(("colors", "most"), [(4, 0.005), (16, 0.05)])
-def test_packing(benchmark, colors, most):
-    n = colors**2
-    tiles = tw.corner_tiles(colors)
-    benchmark.pedantic(lambda: tw.packing(tiles).indices(0, 0, n, n), rounds=10, warmup_rounds=1)
-    assert benchmark.stats.stats.median <= most
-
-
 @pytest.mark.parametrize(("colors", "most"), [(2, 5), (3, 25)])
 def test_building_a_set(benchmark, colors, most):
     import skimage.data
@@ -110,13 +47,6 @@ def test_import(benchmark):
     empty = best(lambda: start("pass"))
     benchmark.pedantic(lambda: start("import tilewright"), rounds=7)
     assert benchmark.stats.stats.median - empty <= 0.15
-
-
-def test_mixer_alone(benchmark):
-    hash_ = MixerHash(1)
-    axis = np.arange(SIDE, dtype=np.int64)
-    hash_.grid(3, 0, axis, axis)
-    benchmark.pedantic(lambda: hash_.grid(3, 0, axis, axis), rounds=10)
 
 
 STREAM = """

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import tilewright as tw
 from tilewright.errors import TilewrightError
-from tilewright.tiles import CORNER, CORNER_CUBE, DOMINO, WANG, WANG_CUBE
+from tilewright.tiles import CORNER, CORNER_CUBE, DOMINO, WANG
 
 ALL_COLORS = range(1, 17)
 
@@ -72,14 +72,48 @@ def test_corner_coded_sets():
 
 
 def test_cubes():
-    assert [len(tw.corner_cubes(c)) for c in (1, 2, 3, 4)] == [1, 256, 6561, 65536]
-    assert [len(tw.wang_cubes(c)) for c in (1, 2, 3, 4)] == [1, 64, 729, 4096]
-    assert [len(tw.compact_wang_cubes(c)) for c in (2, 3, 4)] == [16, 54, 128]
-    assert [len(tw.compact_corner_cubes(c)) for c in (2, 3)] == [256, 2 * 3**7]
+    assert [len(tw.corner_cubes(c)) for c in (1, 2, 3, 4, 16)] == [1, 256, 6561, 65536, 16**8]
+    assert [len(tw.wang_cubes(c)) for c in (1, 2, 3, 4, 16)] == [1, 64, 729, 4096, 16**6]
+    assert [len(tw.compact_wang_cubes(c)) for c in (1, 2, 3, 4, 16)] == [1, 16, 54, 128, 8192]
+    assert [len(tw.compact_corner_cubes(c)) for c in (1, 2, 3, 16)] == [1, 256, 2 * 3**7, 2 * 16**7]
+    # Sixteen Wang cubes suffice: two for each way N, W and U can be.
     known = Counter(map(tuple, tw.compact_wang_cubes(2).slots[:, [0, 3, 4]]))
+    assert len(known) == 8
     assert set(known.values()) == {2}
-    assert tw.count_complete(CORNER_CUBE, 16) == 16**8
-    assert tw.count_complete(WANG_CUBE, 5) == 5**6
+    sed, others = 5, [0, 1, 2, 3, 4, 6, 7]
+    known = Counter(map(tuple, tw.compact_corner_cubes(3).slots[:, others]))
+    assert CORNER_CUBE.slots[sed] == "SED"
+    assert len(known) == 3**7
+    assert set(known.values()) == {2}
+
+
+@pytest.mark.parametrize(
+    "make", [tw.corner_cubes, tw.wang_cubes, tw.compact_corner_cubes, tw.compact_wang_cubes]
+)
+@pytest.mark.parametrize("c", ALL_COLORS)
+def test_cube_sets_compute_their_tiles(make, c):
+    tiles = make(c)
+    index = np.unique(np.linspace(0, len(tiles) - 1, 500).astype(np.int64))
+    slots = tiles.slots_of(index)
+    assert slots.max(initial=0) < c
+    assert np.array_equal(tiles.find(slots), index)
+    if tiles.is_complete:
+        assert np.array_equal(index, tw.encode(slots, (c,) * len(tiles.shape.slots)))
+    if len(tiles) < 10_000:
+        assert len(np.unique(tiles.slots, axis=0)) == len(tiles)
+        assert np.array_equal(tiles.slots[index], slots)
+
+
+def test_colors_that_no_tile_has_are_not_found():
+    assert list(tw.cohen_tiles(8).find([[0, 0, 0, 0], [0, 1, 0, 0], [9, 0, 0, 0], [-1, 0, 0, 0]])) == [
+        0,
+        -1,
+        -1,
+        -1,
+    ]
+    assert tw.compact_corner_cubes(3).find(np.full(8, 2)) >= 0
+    assert tw.compact_corner_cubes(3).find([0, 0, 0, 0, 0, 2, 0, 0]) == -1
+    assert tw.compact_wang_cubes(2).find([0, 1, 0, 0, 0, 0]) == -1
 
 
 @given(st.integers(1, 16), st.data())
@@ -130,9 +164,14 @@ BAD = {
     "colors as text": (lambda: tw.wang_tiles("2"), "colors must be an integer, not '2'"),
     "a float": (lambda: tw.wang_tiles(2.0), "must be an integer"),
     "one choice": (lambda: tw.corner_tiles(4, choices=1), "choices is 1; allowed are 2 to 4"),
-    "big cubes": (lambda: tw.corner_cubes(5), "use encode and decode"),
+    "big cubes": (lambda: tw.corner_cubes(16).slots, "too large to list; slots_of() and find() work"),
     "not a power of two": (lambda: tw.shifted_wang_tiles(6), "needs a power of two"),
     "another count": (lambda: tw.cohen_tiles(9), "8, 12 or 18"),
+    "ragged": (lambda: tw.tile_set([[0, 1], [0]]), "slots is not a table of equally long rows"),
+    "index": (lambda: tw.corner_tiles(2).slots_of([3, 16]), "index holds 3 to 16; the set has tiles 0 to 15"),
+    "code": (lambda: tw.decode(81, (3,) * 4), "allowed are 0 to 80"),
+    "color to encode": (lambda: tw.encode([0, 3, 0, 0], (3,) * 4), "colors outside 0 up to"),
+    "short row": (lambda: tw.encode([0, 1], (3,) * 4), "its last axis must be 4 long"),
     "empty": (lambda: tw.tile_set([]), "integers"),
     "three slots": (lambda: tw.tile_set([[0, 1, 2]]), r"need (tiles, 4)"),
     "twice": (lambda: tw.tile_set([[0, 1, 0, 1]] * 2), "a tile twice"),

@@ -1,7 +1,8 @@
-"""Laws of tilings over every set that has one, and the hashes behind them."""
+"""Laws of tilings over every set that has one."""
 
 import subprocess
 import sys
+from itertools import product
 
 import numba
 import numpy as np
@@ -10,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import tilewright as tw
+from mixer import mixer
 from tilewright.errors import TilewrightError
 from tilewright.tilings import first_mismatch
 
@@ -26,9 +28,12 @@ SETS = {
     "coded 128": tw.corner_coded_tiles(),
     "coded 256": tw.corner_coded_tiles(tw.wang_tiles(2)),
     "dominoes": tw.dominoes(5),
+    "coded 512": tw.corner_coded_tiles(tw.shifted_wang_tiles(4)),
     "corner cubes": tw.corner_cubes(3),
+    "many corner cubes": tw.corner_cubes(8),
     "wang cubes": tw.wang_cubes(3),
     "compact corner cubes": tw.compact_corner_cubes(3),
+    "compact wang cubes": tw.compact_wang_cubes(4),
 }
 START, EXTENT = (-5, -7, 4), (21, 13, 6)
 FAR = 2**61
@@ -58,6 +63,15 @@ def test_direct_tilings_match_everywhere_and_any_window_agrees(name):
         assert np.array_equal(whole[inner], part)
 
 
+@pytest.mark.parametrize("tiles", [tw.corner_tiles(3), tw.wang_tiles(2, 3)])
+@pytest.mark.parametrize("start", [(-70, 5), (2**32 - 40, -(2**31) - 9)])
+@pytest.mark.parametrize("period", [None, (30, None), (50, 90)])
+def test_the_compiled_pass_agrees_with_numpy(tiles, start, period):
+    tiling = tw.direct(tiles, 3, period=period)
+    slots = np.stack(tiling.slots(start, (130, 150)), axis=-1)
+    assert np.array_equal(tiling.indices(*start, 130, 150), tw.encode(slots, tiles.colors))
+
+
 @pytest.mark.parametrize("name", SETS)
 def test_seeds(name):
     tiles = SETS[name]
@@ -72,7 +86,7 @@ def test_seeds(name):
 def test_cylinders_and_tori(name, period, hash):
     tiles = SETS[name]
     d = tiles.shape.dimension
-    if name == "compact corner cubes" or not any(period[:d]):
+    if not any(period[:d]):
         return
     tiling = tw.direct(tiles, 3, hash=hash, period=period[:d])
     cells = tiling.indices(*(-3,) * d, *(2 * (p or 6) for p in period[:d]))
@@ -81,6 +95,28 @@ def test_cylinders_and_tori(name, period, hash):
         if p:
             at = cells.ndim - 1 - axis
             assert np.array_equal(cells.take(range(p), at), cells.take(range(p, 2 * p), at))
+
+
+@pytest.mark.parametrize("period", list(product((None, 6, 9), repeat=3)))
+def test_diagonals_through_cubes_repeat_along_any_axes(period):
+    tiles = tw.compact_corner_cubes(3)
+    tiling = tw.direct(tiles, 3, period=period)
+    here = tiling.indices(-2, -3, -1, 14, 13, 12)
+    assert first_mismatch(tiles, here, torus=False) is None
+    for axis, p in enumerate(period):
+        start = [-2, -3, -1]
+        start[axis] += p or 0
+        assert np.array_equal(here, tiling.indices(*start, 14, 13, 12))
+
+
+@pytest.mark.parametrize("c", range(3, 17))
+def test_chains_close_for_every_number_of_choices(c):
+    """Tori whose diagonals are cut into one block, a short one, and blocks of two lengths."""
+    for d in range(2, c):
+        tiles = tw.corner_tiles(c, choices=d)
+        for period in ((7, 5), (1, 39), (13, 15)):
+            cells = tw.direct(tiles, 3, period=period).indices(0, 0, *period)
+            assert first_mismatch(tiles, cells, torus=True) is None
 
 
 def test_domain_kinds():
@@ -113,6 +149,37 @@ def test_tiles_occur_equally_often(name):
     assert ((counts - expected) ** 2).sum() / expected < 8 * len(tiles)
 
 
+@pytest.mark.parametrize("c", [2, 3, 5, 16])
+def test_the_mixer_colors_pairs_of_points_independently(c):
+    x = np.arange(1024)
+    colors = tw.MixerHash(7).grid(c, 0, x - 500, x).astype(int)
+    for dy, dx in ((0, 1), (1, 0), (1, 1), (0, 2), (3, 7), (64, 0)):
+        pairs = colors[: 1024 - dy, : 1024 - dx] * c + colors[dy:, dx:]
+        counts = np.bincount(pairs.ravel(), minlength=c * c)
+        expected = pairs.size / c**2
+        degrees = c * c - 1
+        assert ((counts - expected) ** 2).sum() / expected < degrees + 5 * np.sqrt(2 * degrees)
+
+
+@settings(deadline=None, max_examples=30)
+@given(
+    st.sampled_from(sorted(SETS)),
+    st.integers(-FAR, FAR - 100),
+    st.integers(-FAR, FAR - 100),
+    st.integers(0, 2**64 - 1),
+    st.integers(1, 12),
+    st.integers(1, 12),
+)
+def test_any_window_is_part_of_any_other(name, x, y, seed, width, height):
+    tiles = SETS[name]
+    d = tiles.shape.dimension
+    tiling = tw.direct(tiles, seed)
+    start, extent = (x, y, -x)[:d], (width, height, 4)[:d]
+    whole = tiling.indices(*start, *(n + 25 for n in extent))
+    inner = tuple(slice(24, 24 + n) for n in reversed(extent))
+    assert np.array_equal(whole[inner], tiling.indices(*(v + 24 for v in start), *extent))
+
+
 @pytest.mark.parametrize("c", [3, 4, 5, 8])
 def test_compact_corner_tilings_carry_one_bit_per_tile(c):
     tiles = tw.corner_tiles(c, choices=2)
@@ -124,97 +191,6 @@ def test_compact_corner_tilings_carry_one_bit_per_tile(c):
     grid = bit.reshape(700, 700) - 0.5
     for a, b in ((grid[1:], grid[:-1]), (grid[:, 1:], grid[:, :-1]), (grid[1:, 1:], grid[:-1, :-1])):
         assert abs((a * b).mean()) < 0.003
-
-
-# --- The hash, written out word by word as docs/hashes.md states it -----------------------------------
-
-MASK = 0xFFFFFFFF
-
-
-def mix(h):
-    h ^= h >> 16
-    h = h * 0x21F0AAAD & MASK
-    h ^= h >> 15
-    h = h * 0xD35A2D97 & MASK
-    return h ^ h >> 15
-
-
-def mixer(stream, seed, x, y=0, z=0):
-    a, b = 0x243F6A88, 0x85A308D3
-    words = (stream, seed, seed >> 32, z, z >> 32, x >> 32, y >> 32, y)
-    for word in words:
-        a = mix(a ^ word & MASK)
-        b = mix((b ^ a) + word & MASK)
-    h = x & MASK ^ a
-    h ^= h >> 16
-    h = (h * 0x21F0AAAD + b) & MASK
-    h ^= h >> 15
-    h = h * 0xD35A2D97 & MASK
-    return h ^ h >> 15
-
-
-cells = st.integers(-(2**61), 2**61)
-
-
-@settings(deadline=None)
-@given(cells, cells, cells, st.integers(0, 2**64 - 1), st.integers(0, 40))
-def test_the_mixer_is_what_its_definition_says(x, y, z, seed, stream):
-    assert int(tw.MixerHash(seed).words(stream, x, y, z)) == mixer(stream, seed, x, y, z)
-
-
-@settings(deadline=None)
-@given(cells, cells, st.integers(0, 2**64 - 1), st.integers(1, 16))
-def test_the_fast_grid_agrees_with_single_words(x, y, seed, count):
-    hash_ = tw.MixerHash(seed)
-    columns, rows = x + np.arange(5), y + np.arange(3)
-    grid = hash_.grid(count, 1, columns, rows)
-    assert int(grid[2, 4]) == (mixer(1, seed, x + 4, y + 2) >> 8) * count >> 24
-    assert np.array_equal(grid, hash_.colors(count, 1, columns[None], rows[:, None]))
-
-
-def test_golden_tiles():
-    """Worlds must not change: these tiles are fixed for ever."""
-    tiles = tw.direct(tw.corner_tiles(3), 42).indices(-2, 5, 6, 2)
-    corner = [[(mixer(0, 42, x, y) >> 8) * 3 >> 24 for x in range(-2, 5)] for y in range(5, 8)]
-    for j in range(2):
-        for i in range(6):
-            ne, se, sw, nw = corner[j][i + 1], corner[j + 1][i + 1], corner[j + 1][i], corner[j][i]
-            assert tiles[j, i] == ((ne * 3 + se) * 3 + sw) * 3 + nw
-    wang = tw.direct(tw.wang_tiles(2, 3), 42).indices(7, -1, 1, 1)[0, 0]
-
-    def edge(x, y, c):
-        return (mixer(0, 42, x, y) >> 8) * c >> 24
-
-    n, e, s, w = edge(15, -2, 2), edge(16, -1, 3), edge(15, 0, 2), edge(14, -1, 3)
-    assert wang == ((n * 3 + e) * 2 + s) * 3 + w
-
-
-def test_permutation_hash_has_the_period_of_its_table():
-    table = tw.PermutationHash(3, size=13)
-    x = np.arange(13 * 4)
-    assert table.period == 13
-    assert sorted(table.table(0)) == list(range(13))
-    for words in (table.words(0, x), table.words(0, 5, x), table.words(0, 5, 6, x)):
-        assert np.array_equal(words[:13], words[13:26])
-        assert sorted(words[:13]) == list(range(13))
-    p = table.table(0)
-    assert table.words(0, 30, -4, 17) == p[(p[(p[30 % 13] - 4) % 13] + 17) % 13]  # eq. 3.4
-
-
-@pytest.mark.parametrize(
-    ("made", "period"),
-    [(tw.LongPeriodHash.for_tilings(1), 5_930_659_848), (tw.LongPeriodHash.for_noise(1), 739_024)],
-)
-def test_long_period_hashes_have_the_periods_of_the_thesis(made, period):
-    assert made.period == period
-    x = np.arange(-500, 500)
-    here = made.words(0, x, 3)
-    assert np.array_equal(here, made.words(0, x + period, 3))
-    assert np.array_equal(here, made.words(0, x, 3 - period))
-    for prime in {p for part in made.parts for p in (2, 3, part.size) if period % p == 0}:
-        assert not np.array_equal(here, made.words(0, x + period // prime, 3))
-    counts = np.bincount(made.words(0, np.arange(24_000), 1), minlength=made.range)
-    assert counts.min() > 0.8 * counts.mean()
 
 
 # --- Other tilings ------------------------------------------------------------------------------------
@@ -230,10 +206,50 @@ def test_long_period_hashes_have_the_periods_of_the_thesis(made, period):
 )
 def test_scanline(tiles):
     tiling = tw.scanline(tiles, 60, 40, 3)
-    assert np.array_equal(tiling.cells, tw.scanline(tiles, 60, 40, 3).cells)
+    assert first_mismatch(tiles, tiling.cells, torus=False) is None
+    assert np.array_equal(tiling.cells, tw.scanline(tiles, 90, 70, 3).cells[:40, :60])
+    assert not np.array_equal(tiling.cells, tw.scanline(tiles, 60, 40, 4).cells)
     assert len(np.unique(tw.scanline(tiles, 120, 120, 3).cells)) > 0.9 * min(len(tiles), 5000)
     with pytest.raises(TilewrightError, match="cells x=0 to 60 are outside the tiling, which has 0 to 59"):
         tiling.indices(0, 0, 61, 5)
+
+
+def scanline_by_hand(tiles, width, height, seed):
+    """The rule of scanline tiling, cell by cell."""
+    cells = {}
+    for y in range(height):
+        for x in range(width):
+            fits = [
+                t
+                for t in range(len(tiles))
+                if all(
+                    tiles.slots[cells[at], far] == tiles.slots[t, near]
+                    for at, joint in zip(((x - 1, y), (x, y - 1)), tiles.shape.joints, strict=True)
+                    if at in cells
+                    for far, near in joint
+                )
+            ]
+            cells[x, y] = fits[(mixer(9, seed, x, y) >> 8) * len(fits) >> 24]
+    return np.array([[cells[x, y] for x in range(width)] for y in range(height)])
+
+
+@pytest.mark.parametrize("name", ["wang 2 3", "cohen 8", "compact corner 4", "coded 128"])
+def test_scanline_is_its_rule(name):
+    tiles = SETS[name]
+    assert np.array_equal(tw.scanline(tiles, 9, 7, 2).cells, scanline_by_hand(tiles, 9, 7, 2))
+
+
+@pytest.mark.parametrize("tiles", [tw.compact_wang_cubes(2), tw.compact_corner_cubes(3), tw.corner_cubes(2)])
+def test_scanline_of_cubes(tiles):
+    cells = tw.scanline(tiles, 12, 9, 4, depth=7).cells
+    assert cells.shape == (7, 9, 12)
+    assert first_mismatch(tiles, cells, torus=False) is None
+    assert len(np.unique(tw.scanline(tw.compact_wang_cubes(2), 12, 9, 4, depth=7).cells)) == 16
+
+
+def test_scanline_of_dominoes():
+    train = tw.scanline(tw.dominoes(3), 50)
+    assert first_mismatch(train.tiles, train.indices(0, 50), torus=False) is None
 
 
 def test_scanline_names_the_dead_end():
@@ -247,40 +263,16 @@ def test_given_arrays_are_checked():
     assert np.array_equal(tw.array_tiling(tiles, good).indices(2, 3, 4, 5), good[3:8, 2:6])
     bad = good.copy()
     bad[4, 5] = 15 - bad[4, 5]
-    with pytest.raises(TilewrightError, match=r"cell x=\d, y=\d and its neighbor along [xy] do not match"):
+    # The tile at (5, 4) is wrong; the one north of it is the first cell that has a wrong neighbor.
+    with pytest.raises(
+        TilewrightError, match=r"cell x=5, y=3 and its neighbor along y do not match: S[WE] is"
+    ):
         tw.array_tiling(tiles, bad)
+    tw.array_tiling(tiles, tw.packing(tiles).indices(0, 0, 4, 4), torus=True)
+    with pytest.raises(TilewrightError, match="do not match"):
+        tw.array_tiling(tiles, good, torus=True)
     with pytest.raises(TilewrightError, match="the set has tiles 0 to 15"):
         tw.array_tiling(tiles, good + 10)
-
-
-@pytest.mark.parametrize("c", range(1, 17))
-def test_packings_hold_every_tile_once_and_are_inverted(c):
-    for tiles in (tw.corner_tiles(c), tw.wang_tiles(c), tw.dominoes(c)):
-        packed = tw.packing(tiles)
-        cells = packed.indices(*(0,) * len(packed.size), *packed.size)
-        assert np.array_equal(np.sort(cells.ravel()), np.arange(len(tiles)))
-        assert first_mismatch(tiles, cells, torus=True) is None
-        place = packed.place(np.arange(len(tiles)))
-        assert np.array_equal(cells[tuple(reversed(place))], np.arange(len(tiles)))
-
-
-@pytest.mark.parametrize("c", [1, 2, 3, 4])
-def test_cube_packings(c):
-    packed = tw.packing(tw.corner_cubes(c))
-    cells = packed.indices(0, 0, 0, *packed.size)
-    assert np.array_equal(np.sort(cells.ravel()), np.arange(c**8))
-    assert first_mismatch(packed.tiles, cells, torus=True) is None
-    x, y, z = packed.place(np.arange(c**8))
-    assert np.array_equal(cells[z, y, x], np.arange(c**8))
-
-
-@pytest.mark.parametrize("c", range(2, 9))
-def test_the_wang_packing_nests_the_one_over_a_color_less(c):
-    big, small = tw.packing(tw.wang_tiles(c)), tw.packing(tw.wang_tiles(c - 1))
-    n = (c - 1) ** 2
-    assert np.array_equal(
-        big.tiles.slots[big.indices(0, 0, n, n)], small.tiles.slots[small.indices(0, 0, n, n)]
-    )
 
 
 def test_density():
@@ -302,6 +294,33 @@ BAD = {
     "no direct": (lambda: tw.direct(tw.cohen_tiles(18)), "scanline() tiles a rectangle"),
     "hash": (lambda: tw.direct(tw.corner_tiles(2), hash="md5"), "hash is 'md5'"),
     "seed": (lambda: tw.direct(tw.corner_tiles(2), 2**64), "seed is 18446744073709551616"),
+    "period as number": (lambda: tw.direct(tw.corner_tiles(2), period=5), "period must be a tuple of 2"),
+    "two hashes": (lambda: tw.direct(tw.corner_tiles(2), wang="two-hashes"), "is for complete Wang sets"),
+    "int32": (
+        lambda: tw.direct(tw.corner_cubes(16)).indices(0, 0, 0, 1, 1, 1),
+        "4294967296 tiles; tile indices are int32",
+    ),
+    "out": (
+        lambda: tw.direct(tw.corner_tiles(2)).indices(0, 0, 1, 1, out=[[0]]),
+        "out must be an int32 array, not list",
+    ),
+    "high dominoes": (lambda: tw.scanline(tw.dominoes(2), 5, 2), "height is 2; allowed are 1 to 1"),
+    "no width": (lambda: tw.scanline(tw.cohen_tiles(8), 0, 2), "width is 0; allowed are 1 to 65536"),
+    "many tiles": (lambda: tw.scanline(tw.corner_cubes(8), 5, 5), "scanline tiling takes at most 2^20"),
+    "ragged": (
+        lambda: tw.array_tiling(tw.corner_tiles(2), [[0, 1], [0]]),
+        "not a table of equally long rows",
+    ),
+    "tile of a packing": (
+        lambda: tw.packing(tw.corner_tiles(2)).tile(1),
+        "tile() takes 2 coordinates, not 1",
+    ),
+    "place of a packing": (lambda: tw.packing(tw.corner_tiles(2)).place(16), "index holds 16 to 16"),
+    "size twice": (lambda: tw.LongPeriodHash(0, (5, 7, 5), 7), "a size given twice"),
+    "density of a shape": (
+        lambda: tw.density_tiling(tw.corner_tiles(2), lambda x, y: [0.5, 0.5]).indices(0, 0, 5, 5),
+        "did not give one number for each point",
+    ),
     "seed as float": (lambda: tw.direct(tw.corner_tiles(2), 1.5), "seed must be an integer"),
     "period 0": (lambda: tw.direct(tw.corner_tiles(2), period=(0, 1)), "period is 0"),
     "one period": (lambda: tw.direct(tw.corner_tiles(2), period=(4,)), "expected 2, x first"),
@@ -338,16 +357,28 @@ def test_out_is_filled_or_refused():
         tiling.indices(0, 0, 6, 4, out=np.empty((6, 4), np.int32))
 
 
+MADE = (
+    "tw.direct(tw.corner_tiles(3), 8).indices(-7, 3, 200, 100)",
+    "tw.direct(tw.wang_tiles(2, 3), 8).indices(-7, 3, 200, 100)",
+    "tw.direct(tw.corner_tiles(5, choices=2), 8).indices(-7, 3, 60, 50)",
+    "tw.direct(tw.corner_tiles(3), 8, hash='permutation').indices(-7, 3, 60, 50)",
+    "tw.direct(tw.corner_tiles(3), 8, hash='long-period').indices(-7, 3, 60, 50)",
+    "tw.scanline(tw.cohen_tiles(18), 60, 50, 8).cells",
+    "tw.density_tiling(tw.corner_tiles(4), [[0.2, 0.9]], 8, cells_per_pixel=9).indices(-7, 3, 60, 50)",
+)
+
+
 def test_threads_and_processes_do_not_matter():
     tiling = tw.direct(tw.corner_tiles(3), 8)
     here = tiling.indices(-7, 3, 200, 100)
+    others = {made: eval(made) for made in MADE}
     before = numba.get_num_threads()
     try:
         numba.set_num_threads(1)
         assert np.array_equal(here, tiling.indices(-7, 3, 200, 100))
+        assert all(np.array_equal(cells, eval(made)) for made, cells in others.items())
     finally:
         numba.set_num_threads(before)
-    cells = "tw.direct(tw.corner_tiles(3), 8).indices(-7, 3, 200, 100)"
-    code = f"import tilewright as tw; print({cells}.tobytes().hex())"
-    other = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert other.stdout.strip() == here.tobytes().hex()
+    code = "import tilewright as tw\n" + "".join(f"print({made}.tobytes().hex())\n" for made in others)
+    printed = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert printed.stdout.split() == [cells.tobytes().hex() for cells in others.values()]

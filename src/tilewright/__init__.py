@@ -24,7 +24,6 @@ _HOME = {
     "corner_coded_tiles": "tiles",
     "corner_cubes": "tiles",
     "corner_tiles": "tiles",
-    "count_complete": "tiles",
     "decode": "tiles",
     "dominoes": "tiles",
     "encode": "tiles",

@@ -9,6 +9,9 @@ from tilewright.kernels.compiled import kernel
 _M1 = np.uint32(0x21F0AAAD)
 _M2 = np.uint32(0xD35A2D97)
 
+STRIP = 64
+"""Rows of cells that one thread fills in turn, so that few rows are colored twice."""
+
 
 @kernel(inline=True)
 def mix(h):
@@ -53,19 +56,30 @@ def finish_word(a, b, x_low):
     return np.uint32(h ^ (h >> np.uint32(15)))
 
 
+@kernel()
+def color_row(x_low, runs, x_high, y, z, stream, seed, count, out):
+    """Color of ``count`` at every point of a row.
+
+    x_low : uint32 (w,); columns runs[k] up to runs[k + 1] have high word x_high[k].
+    y, z : int64. out : uint8 (w,), filled.
+    """
+    for k in range(x_high.size):
+        a, b = start_row(stream, seed, z, x_high[k], y)
+        # Slices count from 0, which lets the loop be vectorized.
+        low, row = x_low[runs[k] : runs[k + 1]], out[runs[k] : runs[k + 1]]
+        for j in range(row.size):
+            h = finish_word(a, b, low[j])
+            row[j] = np.uint32(np.uint32((h >> np.uint32(8)) * count) >> np.uint32(24))
+
+
 @kernel(parallel=True)
 def fill_colors(x_low, runs, x_high, y, z, stream, seed, count, out):
     """Color of ``count`` at every lattice point of the grid ``y`` x ``x``.
 
-    x_low : uint32 (w,); columns runs[k] up to runs[k + 1] have high word x_high[k].
-    y : int64 (h,). out : uint8 (h, w), filled.
+    x_low, runs, x_high : as in `color_row`. y : int64 (h,). out : uint8 (h, w), filled.
     """
     for i in numba.prange(y.size):
-        for k in range(x_high.size):
-            a, b = start_row(stream, seed, z, x_high[k], y[i])
-            for j in range(runs[k], runs[k + 1]):
-                h = finish_word(a, b, x_low[j])
-                out[i, j] = np.uint32(np.uint32((h >> np.uint32(8)) * count) >> np.uint32(24))
+        color_row(x_low, runs, x_high, y[i], z, stream, seed, count, out[i])
 
 
 @kernel(parallel=True)
@@ -77,29 +91,47 @@ def fill_words(x, y, z, stream, seed, out):
 
 
 @kernel(parallel=True)
-def fill_corner_ids(corners, colors, out):
-    """Index of a complete set's corner tile at each cell (Lagae 2007, eq. 2.5).
+def fill_corner_ids(x_low, runs, x_high, y, seed, colors, out):
+    """Index of a complete set's corner tile at each cell (Lagae 2007, section 3.3.1 and eq. 2.5).
 
-    corners : uint8 (h + 1, w + 1), color of each lattice point. out : int32 (h, w), filled.
+    x_low, runs, x_high : the w + 1 columns of lattice points, as in `color_row`. y : int64 (h + 1,).
+    out : int32 (h, w), filled. Rows are colored once for each strip of cells.
     """
     height, width = out.shape
     c = np.int32(colors)
-    for i in numba.prange(height):
-        for j in range(width):
-            north = np.int32(corners[i, j + 1]) * c + np.int32(corners[i + 1, j + 1])
-            out[i, j] = (north * c + np.int32(corners[i + 1, j])) * c + np.int32(corners[i, j])
+    for strip in numba.prange((height + STRIP - 1) // STRIP):
+        north, south = np.empty(width + 1, np.uint8), np.empty(width + 1, np.uint8)
+        first = strip * STRIP
+        color_row(x_low, runs, x_high, y[first], 0, 0, seed, colors, north)
+        for i in range(first, min(first + STRIP, height)):
+            color_row(x_low, runs, x_high, y[i + 1], 0, 0, seed, colors, south)
+            for j in range(width):
+                east = np.int32(north[j + 1]) * c + np.int32(south[j + 1])
+                out[i, j] = (east * c + np.int32(south[j])) * c + np.int32(north[j])
+            north, south = south, north
 
 
 @kernel(parallel=True)
-def fill_wang_ids(horizontal, vertical, colors_h, colors_v, out):
-    """Index of a complete set's Wang tile at each cell (Lagae 2007, eq. 2.2).
+def fill_wang_ids(
+    h_low, h_runs, h_high, v_low, v_runs, v_high, h_rows, v_rows, seed, colors_h, colors_v, out
+):
+    """Index of a complete set's Wang tile at each cell (Lagae 2007, section 3.3.2.3 and eq. 2.2).
 
-    horizontal : uint8 (h + 1, w), colors of the N and S edges; vertical : uint8 (h, w + 1), of the W
-    and E edges. out : int32 (h, w), filled.
+    h_low, h_runs, h_high : the w columns of horizontal edges, as in `color_row`; h_rows : int64 (h + 1,).
+    v_low, v_runs, v_high : the w + 1 columns of vertical edges; v_rows : int64 (h,).
+    out : int32 (h, w), filled.
     """
     height, width = out.shape
     c, d = np.int32(colors_h), np.int32(colors_v)
-    for i in numba.prange(height):
-        for j in range(width):
-            code = np.int32(horizontal[i, j]) * d + np.int32(vertical[i, j + 1])
-            out[i, j] = (code * c + np.int32(horizontal[i + 1, j])) * d + np.int32(vertical[i, j])
+    for strip in numba.prange((height + STRIP - 1) // STRIP):
+        north, south = np.empty(width, np.uint8), np.empty(width, np.uint8)
+        across = np.empty(width + 1, np.uint8)
+        first = strip * STRIP
+        color_row(h_low, h_runs, h_high, h_rows[first], 0, 0, seed, colors_h, north)
+        for i in range(first, min(first + STRIP, height)):
+            color_row(h_low, h_runs, h_high, h_rows[i + 1], 0, 0, seed, colors_h, south)
+            color_row(v_low, v_runs, v_high, v_rows[i], 0, 0, seed, colors_v, across)
+            for j in range(width):
+                code = np.int32(north[j]) * d + np.int32(across[j + 1])
+                out[i, j] = (code * c + np.int32(south[j])) * d + np.int32(across[j])
+            north, south = south, north

@@ -4,29 +4,23 @@ Every set is built from a rule that says which colors its tiles may carry, so th
 recognize it from its slots alone, also when it comes from a file.
 """
 
+from math import prod
+
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError, check_int
 from tilewright.tiles.shape import CORNER, CORNER_CODED, CORNER_CUBE, DOMINO, WANG, WANG_CUBE, Shape
-from tilewright.tiles.tileset import TileSet, decode
-
-MAX_COLORS = 16
-_MAX_ENUMERATED_CUBE_COLORS = 4
-
-
-def _colors(value: int, low: int = 1, name: str = "colors") -> int:
-    return check_int(name, value, low, MAX_COLORS)
+from tilewright.tiles.tileset import TileSet, check_colors, decode
 
 
 def _complete(shape: Shape, radices: tuple[int, ...]) -> TileSet:
-    count = int(np.prod(np.array(radices, dtype=object)))
-    return TileSet(shape, decode(np.arange(count), radices), radices, "complete")
+    return TileSet(shape, decode(np.arange(prod(radices)), radices), radices, "complete")
 
 
 def dominoes(colors: int = 2) -> TileSet:
     """The complete set of dominoes, C^2 tiles with colored ends E and W (Lagae 2007, section 2.10)."""
-    return _complete(DOMINO, (_colors(colors),) * 2)
+    return _complete(DOMINO, (check_colors(colors),) * 2)
 
 
 def wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> TileSet:
@@ -56,7 +50,7 @@ def corner_tiles(colors: int = 2, choices: int | None = None) -> TileSet:
         (SE - d NW) mod C < d; 2 gives the compact set of 2 C^3 tiles (Lagae 2007, section 3.2.2), in the
         form for which a direct algorithm exists.
     """
-    c = _colors(colors)
+    c = check_colors(colors)
     full = _complete(CORNER, (c,) * 4)
     if choices is None or c == 1:
         return full
@@ -72,7 +66,7 @@ def column_corner_tiles(colors: int = 2, choices: int = 2) -> TileSet:
 
     With d = ``choices`` these are (d C)^2 tiles; not every three corners occur together.
     """
-    c = _colors(colors)
+    c = check_colors(colors)
     full = _complete(CORNER, (c,) * 4)
     if c == 1:
         return full
@@ -115,7 +109,7 @@ def summed_wang_tiles(colors: int = 2) -> TileSet:
 
     N = NW + NE and so on (Lagae 2007, section 3.3.2.2); it has a direct tiling from a single hash.
     """
-    c = _colors(colors)
+    c = check_colors(colors)
     ne, se, sw, nw = _complete(CORNER, (c,) * 4).slots.astype(int).T
     slots = np.stack([nw + ne, ne + se, se + sw, sw + nw], axis=1) % c
     return TileSet(WANG, np.unique(slots, axis=0), (c,) * 4, "summed")
@@ -126,7 +120,7 @@ def shifted_wang_tiles(colors: int = 2) -> TileSet:
 
     A bit b enters on either axis: S = 2 N + b and E = 2 W + b modulo C.
     """
-    c = _colors(colors, 2)
+    c = check_colors(colors, 2)
     if c & (c - 1):
         raise TilewrightValueError(f"colors is {c}; the shifted set needs a power of two: 2, 4, 8 or 16")
     n, w, b = (a.ravel() for a in np.indices((c, c, 2)))
@@ -169,58 +163,6 @@ def _rank_among_alike(rows: NDArray[np.uint8]) -> NDArray[np.int64]:
     return ranks
 
 
-def corner_cubes(colors: int = 2) -> TileSet:
-    """The complete set of corner cubes, C^8, for up to 4 colors.
-
-    Slots are the corners NE, SE, SW, NW of the upper face (U) and then of the lower face (D); for more
-    colors, `tilewright.tiles.encode` and `decode` give codes without listing the set.
-    """
-    return _complete(CORNER_CUBE, (_cube_colors(colors, CORNER_CUBE),) * 8)
-
-
-def compact_corner_cubes(colors: int = 2) -> TileSet:
-    """2 C^7 corner cubes: two for each way the other seven corners can be, SED last.
-
-    (SED - 2 NWU) mod C is 0 or 1: chains along the space diagonal. C is at most 4.
-    """
-    c = _cube_colors(colors, CORNER_CUBE)
-    full = _complete(CORNER_CUBE, (c,) * 8)
-    nwu, sed = (full.slots[:, CORNER_CUBE.slot(s)].astype(int) for s in ("NWU", "SED"))
-    return TileSet(CORNER_CUBE, full.slots[(sed - 2 * nwu) % c < 2], (c,) * 8, "compact-2")
-
-
-def wang_cubes(colors: int = 2) -> TileSet:
-    """The complete set of Wang cubes, C^6, for up to 4 colors. Slots are the faces N, E, S, W, U, D."""
-    return _complete(WANG_CUBE, (_cube_colors(colors, WANG_CUBE),) * 6)
-
-
-def compact_wang_cubes(colors: int = 2) -> TileSet:
-    """2 C^3 Wang cubes: two for each way the N, W and U faces can be.
-
-    S = N + b, E = W + b + N and D = U + b + W modulo C for b = 0 and 1. Over two colors 16 cubes thus suffice
-    to fill space non-periodically in scanline order, where Cohen et al. 2003, section 5, speak of 32.
-    """
-    c = _cube_colors(colors, WANG_CUBE)
-    n, w, u, b = (a.ravel() for a in np.indices((c, c, c, 2)))
-    slots = np.stack([n, w + b + n, n + b, w, u, u + b + w], axis=1) % c
-    return TileSet(WANG_CUBE, np.unique(slots, axis=0), (c,) * 6, "compact")
-
-
-def _cube_colors(colors: int, shape: Shape) -> int:
-    return check_int(
-        "colors",
-        colors,
-        1,
-        _MAX_ENUMERATED_CUBE_COLORS,
-        f"{shape.name} sets over more colors are not listed: use encode and decode for their codes",
-    )
-
-
-def count_complete(shape: Shape, colors: int) -> int:
-    """How many tiles the complete set of a shape has over C colors: C to the number of slots."""
-    return _colors(colors) ** len(shape.slots)
-
-
 def tile_set(slots: object, shape: str = "wang", *, name: str = "custom") -> TileSet:
     """A set of one's own from a table of slot colors, one row per tile.
 
@@ -253,5 +195,5 @@ def as_wang_tiles(corners: TileSet) -> TileSet:
 
 
 def _both(colors: int, vertical_colors: int | None) -> tuple[int, int]:
-    c_h = _colors(colors)
-    return c_h, c_h if vertical_colors is None else _colors(vertical_colors, name="vertical_colors")
+    c_h = check_colors(colors)
+    return c_h, c_h if vertical_colors is None else check_colors(vertical_colors, name="vertical_colors")

@@ -1,5 +1,6 @@
 """What may meet: a finite set of tiles with colored slots."""
 
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,15 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
 from tilewright.tiles.shape import Shape
 
-MAX_COLORS = 256
+MOST_COLORS = 256
+"""What a slot of any set can hold."""
+MOST_FAMILY_COLORS = 16
+"""What the named families offer."""
+
+
+def check_colors(value: int, low: int = 1, name: str = "colors") -> int:
+    """Number of colors of a named family."""
+    return check_int(name, value, low, MOST_FAMILY_COLORS)
 
 
 class TileSet:
@@ -40,23 +49,21 @@ class TileSet:
     def __init__(
         self, shape: Shape, slots: ArrayLike, colors: tuple[int, ...] | None = None, name: str = "custom"
     ) -> None:
-        table = np.asarray(slots)
-        if table.dtype.kind not in "iu":
-            raise TilewrightTypeError(f"slots must hold integers, not {table.dtype}")
+        table = as_integers("slots", slots)
         if table.ndim != 2 or table.shape[1] != len(shape.slots) or not len(table):
             raise TilewrightValueError(
                 f"slots has shape {table.shape}; {shape.name} tiles need (tiles, {len(shape.slots)}) "
                 f"with columns {', '.join(shape.slots)} and at least one tile"
             )
-        if table.min() < 0 or table.max() >= MAX_COLORS:
+        if table.min() < 0 or table.max() >= MOST_COLORS:
             raise TilewrightValueError(
-                f"slots holds colors {table.min()} to {table.max()}; allowed are 0 to {MAX_COLORS - 1}"
+                f"slots holds colors {table.min()} to {table.max()}; allowed are 0 to {MOST_COLORS - 1}"
             )
         self.shape = shape
         self.name = name
         self.colors = _radices(shape, table) if colors is None else tuple(int(c) for c in colors)
-        self.slots: NDArray[np.uint8] = table.astype(np.uint8)
-        self.slots.setflags(write=False)
+        self._slots: NDArray[np.uint8] = table.astype(np.uint8)
+        self._slots.setflags(write=False)
         self._check_colors()
         codes = self.codes
         if len(np.unique(codes)) != len(codes):
@@ -75,8 +82,13 @@ class TileSet:
                 f"that slot has {self.colors[slot]} colors"
             )
 
+    @property
+    def slots(self) -> NDArray[np.uint8]:
+        """Colors of every tile, shape (T, S), read-only."""
+        return self._slots
+
     def __len__(self) -> int:
-        return len(self.slots)
+        return len(self._slots)
 
     def __repr__(self) -> str:
         return f"<TileSet {self.name}: {len(self)} {self.shape.name} tiles, colors {self.colors}>"
@@ -89,18 +101,41 @@ class TileSet:
     @property
     def is_complete(self) -> bool:
         """Whether every combination of colors is there."""
-        return len(self) == int(np.prod(np.array(self.colors, dtype=object)))
+        return len(self) == prod(self.colors)
+
+    def slots_of(self, index: ArrayLike) -> NDArray[np.uint8]:
+        """Colors of the tiles with the given indices, along a new last axis."""
+        return self.slots[self._check_index(index)]
+
+    def find(self, slots: ArrayLike) -> NDArray[np.int64]:
+        """Indices of the tiles with the given colors, shape (..., S); -1 where the set has no such tile."""
+        asked = as_integers("slots", slots)
+        codes = self.codes
+        order = np.argsort(codes)
+        valid = (asked >= 0) & (asked < np.array(self.colors))
+        wanted = encode(np.where(valid, asked, 0), self.colors)
+        place = order[np.searchsorted(codes, wanted, sorter=order).clip(max=len(self) - 1)]
+        return np.where(valid.all(axis=-1) & (codes[place] == wanted), place, -1)
+
+    def _check_index(self, index: ArrayLike) -> NDArray[np.int64]:
+        asked = as_integers("index", index)
+        if asked.size and (asked.min() < 0 or asked.max() >= len(self)):
+            raise TilewrightValueError(
+                f"index holds {asked.min()} to {asked.max()}; the set has tiles 0 to {len(self) - 1}"
+            )
+        return asked.astype(np.int64)
 
     def fitting(self, **known: int) -> NDArray[np.int64]:
         """Indices of the tiles whose slots carry the given colors, as in ``fitting(N=0, W=1)``."""
-        keep = np.ones(len(self), bool)
+        slots = self.slots
+        keep = np.ones(len(slots), bool)
         for slot, color in known.items():
             if slot not in self.shape.slots:
                 raise TilewrightValueError(
                     f"{self.shape.name} tiles have no slot {slot!r}; they have {', '.join(self.shape.slots)}"
                 )
             number = self.shape.slot(slot)
-            keep &= self.slots[:, number] == check_int(slot, color, 0, self.colors[number] - 1)
+            keep &= slots[:, number] == check_int(slot, color, 0, self.colors[number] - 1)
         return keep.nonzero()[0]
 
 
@@ -114,9 +149,24 @@ def _radices(shape: Shape, table: NDArray[Any]) -> tuple[int, ...]:
     return tuple(int(m) for m in most)
 
 
+def as_integers(name: str, given: ArrayLike) -> NDArray[Any]:
+    """An array of integers, or one clear line."""
+    try:
+        values = np.asarray(given)
+    except ValueError:
+        raise TilewrightValueError(f"{name} is not a table of equally long rows") from None
+    if values.dtype.kind not in "iu":
+        raise TilewrightTypeError(f"{name} must hold integers, not {values.dtype}")
+    return values
+
+
 def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
     """Mixed-radix number of the colors along the last axis (Lagae 2007, eq. 2.2 and 2.5)."""
-    table = np.asarray(slots, np.int64)
+    table = as_integers("slots", slots)
+    if table.ndim == 0 or table.shape[-1] != len(colors):
+        raise TilewrightValueError(f"slots has shape {table.shape}; its last axis must be {len(colors)} long")
+    if ((table < 0) | (table >= np.array(colors))).any():
+        raise TilewrightValueError(f"slots holds colors outside 0 up to {tuple(colors)}")
     code = np.zeros(table.shape[:-1], np.int64)
     for slot, radix in enumerate(colors):
         code = code * radix + table[..., slot]
@@ -125,7 +175,13 @@ def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
 
 def decode(codes: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.uint8]:
     """Colors of each slot along a new last axis (Lagae 2007, eq. 2.4 and 2.7)."""
-    rest = np.asarray(codes, np.int64)
+    rest = as_integers("codes", codes)
+    most = prod(int(c) for c in colors)
+    if rest.size and (rest.min() < 0 or rest.max() >= most):
+        raise TilewrightValueError(
+            f"codes runs from {rest.min()} to {rest.max()}; allowed are 0 to {most - 1}"
+        )
+    rest = rest.astype(np.int64)
     slots = np.empty((*rest.shape, len(colors)), np.uint8)
     for slot in range(len(colors) - 1, -1, -1):
         slots[..., slot] = rest % colors[slot]

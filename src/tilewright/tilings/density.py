@@ -8,42 +8,48 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice, check_real
 from tilewright.tiles import CORNER, CORNER_CODED, TileSet
-from tilewright.tilings.direct import DirectTiling, Slots, recognize
+from tilewright.tilings.algorithms import Lattice, Slots, corner_slots, evaluate
+from tilewright.tilings.direct import SlotTiling, recognize
 from tilewright.tilings.domain import Domain
-from tilewright.tilings.hashes import LatticeHash, make_hash
+from tilewright.tilings.hashes import LatticeHash, as_grid, make_hash
 
 Density = Callable[[NDArray[np.float64], NDArray[np.float64]], ArrayLike]
 _DENSITY = 8
 """Stream of the hash that is compared with the density."""
 
 
-class DensityTiling(DirectTiling):
-    """A direct tiling whose marked corners follow a density; made by `density_tiling`."""
+class DensityTiling(SlotTiling):
+    """A tiling whose marked corners follow a density; made by `density_tiling`."""
 
     def __init__(self, tiles: TileSet, hash: LatticeHash, algorithm: str, density: Density) -> None:
-        super().__init__(tiles, hash, Domain.plane(None), algorithm)
+        super().__init__(tiles, Domain.plane(None))
+        self.hash = hash
+        self.algorithm = algorithm
         self.density = density
 
     def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
         """The slots of a window, with corner colors drawn from the marked or the unmarked half."""
-        (x, y), (w, h) = start, extent
-        columns, rows = np.arange(x, x + w + 1, dtype=np.int64), np.arange(y, y + h + 1, dtype=np.int64)
-        grid = np.broadcast_arrays(columns[np.newaxis, :], rows[:, np.newaxis])
-        marked = self.hash.numbers(_DENSITY, *grid) < self.marks(columns, rows) * 2.0**24
+        at = Lattice(self.tiles, self.hash, self.domain.periods, start, extent)
+        columns, rows = at.points(0), at.points(1)
+        marked = self.hash.numbers(_DENSITY, *as_grid((columns, rows))) < self.marks(columns, rows) * 2.0**24
         colors = self.tiles.colors[-1]
         plain = (colors + 1) // 2
         low = self.hash.grid(plain, 0, columns, rows)
-        high = plain + self.hash.grid(max(1, colors - plain), 1, columns, rows)
-        corner = np.where(marked, high, low).astype(np.uint8)
-        slots: Slots = corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1], corner[:-1, :-1]
+        high = plain + self.hash.grid(colors - plain, 1, columns, rows)
+        corners = corner_slots(np.where(marked, high, low).astype(np.uint8))
         if self.tiles.shape is CORNER:
-            return slots
-        return super().slots(start, extent)[:4] + slots
+            return corners
+        return evaluate(self.algorithm.removeprefix("marked-"), at) + corners
 
     def marks(self, columns: NDArray[np.int64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
         """The density at the lattice points of a grid, checked, shape (len(rows), len(columns))."""
         x, y = np.meshgrid(columns.astype(float), rows.astype(float))
-        values = np.broadcast_to(np.asarray(self.density(x, y), float), x.shape)
+        try:
+            values = np.broadcast_to(np.asarray(self.density(x, y), float), x.shape)
+        except (TypeError, ValueError) as error:
+            raise TilewrightValueError(
+                f"the density function did not give one number for each point of {x.shape}: {error}"
+            ) from None
         if not ((values >= 0) & (values <= 1)).all():
             raise TilewrightValueError("the density function gave values outside 0 to 1 (or NaN)")
         return values

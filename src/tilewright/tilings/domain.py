@@ -1,11 +1,12 @@
-"""Where there are cells: the endless plane, a cylinder, a torus, a rectangle."""
+"""Where there are cells: the endless plane, a cylinder, a torus, a rectangle; lines and volumes too."""
 
 from dataclasses import dataclass
+from math import prod
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
 
 LARGEST_CELL = 2**61
 _MOST_CELLS = 2**31
@@ -27,6 +28,10 @@ class Domain:
     @classmethod
     def plane(cls, period: tuple[int | None, ...] | None, dimension: int = 2) -> "Domain":
         """Endless along every axis, repeating after ``period`` cells where that is given."""
+        if period is not None and not isinstance(period, (tuple, list)):
+            raise TilewrightTypeError(
+                f"period must be a tuple of {dimension} numbers or None, not {period!r}"
+            )
         given = (None,) * dimension if period is None else tuple(period)
         if len(given) != dimension:
             raise TilewrightValueError(f"period has {len(given)} entries; expected {dimension}, x first")
@@ -54,14 +59,18 @@ class Domain:
                     f"cells {axes[axis]}={first} to {first + count - 1} are outside the tiling, "
                     f"which has {bound[0]} to {bound[1] - 1}"
                 )
-        if int(np.prod(np.array(extent, dtype=object))) > _MOST_CELLS:
+        if prod(extent) > _MOST_CELLS:
             raise TilewrightValueError(
                 f"a window of {' x '.join(map(str, extent))} cells is too large; ask for at most 2^31 at once"
             )
 
     def wrap(self, axis: int, first: int, count: int) -> NDArray[np.int64]:
         """``count`` cell or lattice coordinates from ``first`` on, folded into the period."""
-        period = self.periods[axis]
-        if period is None:
-            return np.arange(first, first + count, dtype=np.int64)
-        return (first % period + np.arange(count, dtype=np.int64)) % period
+        return fold(first, count, self.periods[axis])
+
+
+def fold(first: int, count: int, period: int | None) -> NDArray[np.int64]:
+    """``count`` coordinates from ``first`` on, modulo ``period`` where there is one."""
+    if period is None:
+        return np.arange(first, first + count, dtype=np.int64)
+    return (first % period + np.arange(count, dtype=np.int64)) % period

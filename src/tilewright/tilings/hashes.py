@@ -22,33 +22,33 @@ class LatticeHash(ABC):
     """Period along every axis, or None where there is none within 64-bit coordinates."""
 
     @abstractmethod
-    def words(self, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0) -> NDArray[np.int64]:
-        """Hash values at lattice points, 0 up to `range`; the arguments are broadcast."""
+    def words(
+        self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
+    ) -> NDArray[np.int64]:
+        """Hash values at lattice points, 0 up to `range`; the coordinates given are broadcast."""
 
     @property
     @abstractmethod
     def range(self) -> int:
         """How many values `words` takes."""
 
-    def colors(
-        self, count: int, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0
-    ) -> NDArray[np.uint8]:
-        """Colors 0 up to ``count`` at lattice points; the arguments are broadcast."""
-        return (self.words(stream, x, y, z) % count).astype(np.uint8)
+    def colors(self, count: int, stream: int, *point: ArrayLike) -> NDArray[np.uint8]:
+        """Colors 0 up to ``count`` at lattice points x (, y, z); the coordinates are broadcast."""
+        return (self.words(stream, *point) % count).astype(np.uint8)
 
-    def grid(self, count: int, stream: int, x: Coordinates, y: Coordinates, z: int = 0) -> NDArray[np.uint8]:
-        """Colors of the grid of columns ``x`` and rows ``y``, shape (len(y), len(x))."""
-        return self.colors(count, stream, x[np.newaxis, :], y[:, np.newaxis], z)
+    def grid(self, count: int, stream: int, *axes: Coordinates) -> NDArray[np.uint8]:
+        """Colors of the grid of columns x (, rows y, layers z), shape (len(x),) to (z, y, x)."""
+        return self.colors(count, stream, *as_grid(axes))
 
-    def numbers(self, stream: int, x: ArrayLike, y: ArrayLike = 0) -> NDArray[np.int64]:
+    def numbers(self, stream: int, *point: ArrayLike) -> NDArray[np.int64]:
         """Numbers 0 up to 2^24 at lattice points: several values in one where a hash has few."""
         digits = 1
         while self.range**digits < 2**24:
             digits += 1
         total: NDArray[np.int64] = np.zeros((), np.int64)
         for digit in range(digits):
-            total = total * self.range + self.words(stream + 16 * digit, x, y)
-        return (total / self.range**digits * 2**24).astype(np.int64)
+            total = total * self.range + self.words(stream + 16 * digit, *point)
+        return total * 2**24 // self.range**digits
 
 
 class MixerHash(LatticeHash):
@@ -68,40 +68,44 @@ class MixerHash(LatticeHash):
     def range(self) -> int:
         return 2**32
 
-    def words(self, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0) -> NDArray[np.int64]:
+    def words(
+        self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
+    ) -> NDArray[np.int64]:
         from tilewright.kernels.lattice import fill_words
 
-        points = np.broadcast_arrays(*(np.asarray(c, np.int64) for c in (x, y, z)))
+        given = (np.asarray(0 if c is None else c, np.int64) for c in (x, y, z))
+        points = np.broadcast_arrays(*given)
         out = np.empty(points[0].size, np.uint32)
         fill_words(*(np.ascontiguousarray(p).ravel() for p in points), stream, self.seed, out)
         return out.astype(np.int64).reshape(points[0].shape)
 
-    def colors(
-        self, count: int, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0
-    ) -> NDArray[np.uint8]:
-        return (((self.words(stream, x, y, z) >> 8) * count) >> 24).astype(np.uint8)
+    def colors(self, count: int, stream: int, *point: ArrayLike) -> NDArray[np.uint8]:
+        return (((self.words(stream, *point) >> 8) * count) >> 24).astype(np.uint8)
 
-    def grid(self, count: int, stream: int, x: Coordinates, y: Coordinates, z: int = 0) -> NDArray[np.uint8]:
+    def grid(self, count: int, stream: int, *axes: Coordinates) -> NDArray[np.uint8]:
         from tilewright.kernels.lattice import fill_colors
 
-        high = x >> 32
-        starts = np.concatenate([[0], np.flatnonzero(np.diff(high)) + 1])
-        out = np.empty((len(y), len(x)), np.uint8)
-        fill_colors(
-            x.astype(np.uint32),
-            np.append(starts, len(x)),
-            high[starts],
-            y,
-            np.int64(z),
-            stream,
-            self.seed,
-            np.uint32(count),
-            out,
-        )
-        return out
+        zero = np.zeros(1, np.int64)
+        x, y, z = (*axes, zero, zero)[:3]
+        out = np.empty((len(z), len(y), len(x)), np.uint8)
+        for layer, at in zip(out, z, strict=True):
+            fill_colors(*split_row(x), y, at, stream, self.seed, np.uint32(count), layer)
+        return out.reshape(tuple(len(axis) for axis in reversed(axes)))
 
-    def numbers(self, stream: int, x: ArrayLike, y: ArrayLike = 0) -> NDArray[np.int64]:
-        return self.words(stream, x, y) >> 8
+    def numbers(self, stream: int, *point: ArrayLike) -> NDArray[np.int64]:
+        return self.words(stream, *point) >> 8
+
+
+def split_row(x: Coordinates) -> tuple[NDArray[np.uint32], NDArray[np.int64], NDArray[np.int64]]:
+    """Low words of a row of coordinates, where runs of one high word start and end, and those words."""
+    high = x >> 32
+    starts = np.concatenate([[0], np.flatnonzero(np.diff(high)) + 1])
+    return x.astype(np.uint32), np.append(starts, len(x)), high[starts]
+
+
+def as_grid(axes: tuple[Coordinates, ...]) -> tuple[Coordinates, ...]:
+    """Coordinates along x (, y, z), shaped so that they broadcast to an array (z, y, x)."""
+    return tuple(np.expand_dims(axis, tuple(range(1, n + 1))) for n, axis in enumerate(axes))
 
 
 class PermutationHash(LatticeHash):
@@ -110,7 +114,8 @@ class PermutationHash(LatticeHash):
     Parameters
     ----------
     seed : int
-        Shuffles the table; every stream has a table of its own.
+        Shuffles the table, by the order of the mixer's words: alike on every machine. Every stream has a
+        table of its own.
     size : int
         Entries of the table, 2 to 65,536: the period along every axis, and the range.
     """
@@ -134,15 +139,19 @@ class PermutationHash(LatticeHash):
     def table(self, stream: int) -> NDArray[np.int64]:
         """The permutation of a stream."""
         if stream not in self._tables:
-            rng = np.random.default_rng([self.seed, self.size, stream])
-            self._tables[stream] = rng.permutation(self.size)
+            words = MixerHash(self.seed).words(stream, np.arange(self.size), self.size)
+            self._tables[stream] = np.argsort(words, kind="stable")
         return self._tables[stream]
 
-    def words(self, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0) -> NDArray[np.int64]:
+    def words(
+        self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
+    ) -> NDArray[np.int64]:
         table, n = self.table(stream), self.size
         value = table[np.asarray(x, np.int64) % n]
-        value = table[(value + np.asarray(y, np.int64) % n) % n]
-        return table[(value + np.asarray(z, np.int64) % n) % n]
+        for coordinate in (y, z):
+            if coordinate is not None:
+                value = table[(value + np.asarray(coordinate, np.int64) % n) % n]
+        return value
 
 
 class LongPeriodHash(LatticeHash):
@@ -152,7 +161,7 @@ class LongPeriodHash(LatticeHash):
     ----------
     seed : int
     sizes : sequence of int
-        Table sizes; the period is their least common multiple.
+        Table sizes, all different; the period is their least common multiple.
     range : int
         The final divisor N_j, one of the sizes.
     """
@@ -164,6 +173,10 @@ class LongPeriodHash(LatticeHash):
     ) -> None:
         if not sizes:
             raise TilewrightValueError("sizes is empty; a long-period hash needs at least one table")
+        if len(set(sizes)) < len(sizes):
+            raise TilewrightValueError(
+                f"sizes is {tuple(sizes)}; a size given twice does not lengthen the period"
+            )
         if range not in sizes:
             raise TilewrightValueError(f"range is {range}; it must be one of the sizes {tuple(sizes)}")
         self.parts = tuple(PermutationHash(seed, size) for size in sizes)
@@ -188,9 +201,11 @@ class LongPeriodHash(LatticeHash):
         """Least common multiple of the table sizes."""
         return lcm(*(part.size for part in self.parts))
 
-    def words(self, stream: int, x: ArrayLike, y: ArrayLike = 0, z: ArrayLike = 0) -> NDArray[np.int64]:
+    def words(
+        self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
+    ) -> NDArray[np.int64]:
         words = [part.words(stream, x, y, z) for part in self.parts]
-        return np.sum(np.stack(np.broadcast_arrays(*words)), axis=0) % self._range
+        return sum(words[1:], words[0]) % self._range
 
 
 def make_hash(given: LatticeHash | str, seed: int) -> LatticeHash:

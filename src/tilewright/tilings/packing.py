@@ -5,13 +5,28 @@ window occurs once. It is evaluated in closed form both ways, from place to tile
 ``docs/packing.md`` has the construction and its proof.
 """
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightValueError
-from tilewright.tiles import CORNER, CORNER_CUBE, DOMINO, WANG, TileSet, encode
-from tilewright.tilings.domain import Domain
-from tilewright.tilings.tiling import Tiling
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.tiles import (
+    CORNER,
+    CORNER_CODED,
+    CORNER_CUBE,
+    DOMINO,
+    WANG,
+    WANG_CUBE,
+    Shape,
+    TileSet,
+    encode,
+)
+from tilewright.tiles.tileset import as_integers
+from tilewright.tilings.algorithms import Slots, corner_slots
+from tilewright.tilings.direct import SlotTiling
+from tilewright.tilings.domain import Domain, fold
+from tilewright.tilings.hashes import as_grid
 
 Integers = NDArray[np.int64]
 
@@ -24,79 +39,82 @@ for _y in range(4):
         _BASE_PLACE[encode(_window, (2,) * 4)] = _y, _x
 
 
-class Packing(Tiling):
+class Packing(SlotTiling):
     """A packing of a complete set; made by `packing`.
 
     As a tiling it is a torus of C^2 x C^2 cells for corner tiles, C_v^2 x C_h^2 for Wang tiles, C^2 for
-    dominoes and C^2 x C^2 x C^4 for corner cubes.
+    dominoes, C^2 x C^2 x C^4 for corner cubes and C^2 x C^2 x C^2 for Wang cubes.
     """
 
     def __init__(self, tiles: TileSet) -> None:
-        self.tiles = tiles
         c = tiles.colors
         size = {
             DOMINO: (c[0] ** 2,),
-            WANG: (c[1] ** 2, c[0] ** 2),
+            WANG: (c[-1] ** 2, c[0] ** 2),
             CORNER: (c[0] ** 2,) * 2,
             CORNER_CUBE: (c[0] ** 2, c[0] ** 2, c[0] ** 4),
+            WANG_CUBE: (c[0] ** 2,) * 3,
         }[tiles.shape]
+        super().__init__(tiles, Domain(size, (None,) * len(size)))
         self.size: tuple[int, ...] = size
         """Cells along x, y (and z)."""
-        self.domain = Domain(size, (None,) * len(size))
+        colors: dict[Shape, Callable[..., Integers]] = {CORNER: torus_color, CORNER_CUBE: cube_color}
+        self._color = colors.get(tiles.shape)
 
-    def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:
-        axes = [
-            self.domain.wrap(a, s, n) for a, (s, n) in enumerate(zip(start, reversed(out.shape), strict=True))
-        ]
-        out[...] = self.tile(*(np.expand_dims(v, tuple(range(1, a + 1))) for a, v in enumerate(axes)))
+    def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
+        """Colors of every slot of a window of tiles, one array like the window for each slot."""
+        if self._color is None:
+            cells = as_grid(tuple(fold(*span) for span in zip(start, extent, self.size, strict=True)))
+            return tuple(slot.astype(np.uint8) for slot in self._edges(cells))
+        ends = (fold(s, n + 1, p) for s, n, p in zip(start, extent, self.size, strict=True))
+        return corner_slots(self._color(*as_grid(tuple(ends)), self.tiles.colors[0]).astype(np.uint8))
 
     def tile(self, *cell: ArrayLike) -> Integers:
-        """Index of the tile at cells x, y (, z); the arguments are broadcast."""
-        at = [np.asarray(v, np.int64) % n for v, n in zip(cell, self.size, strict=True)]
-        c, shape = self.tiles.colors[0], self.tiles.shape
-        if shape is DOMINO:
-            slots = [train(at[0] + 1, c), train(at[0], c)]
-        elif shape is WANG:
-            x, y = np.broadcast_arrays(*at)
-            c_v = self.tiles.colors[1]
-            slots = [train(y, c), train(x + 1, c_v), train(y + 1, c), train(x, c_v)]
-        elif shape is CORNER:
-            x, y = at
-            slots = [torus_color(x + dx, y + dy, c) for dx, dy in _NE_SE_SW_NW]
+        """Index of the tile at cells x (, y, z); the arguments are broadcast."""
+        if len(cell) != len(self.size):
+            raise TilewrightTypeError(f"tile() takes {len(self.size)} coordinates, not {len(cell)}")
+        given = zip("xyz", cell, self.size, strict=False)
+        at = [as_integers(name, v).astype(np.int64) % n for name, v, n in given]
+        if self._color is None:
+            slots = self._edges(tuple(at))
         else:
-            x, y, z = at
-            slots = [cube_color(x + dx, y + dy, z + dz, c) for dz in (0, 1) for dx, dy in _NE_SE_SW_NW]
+            around = (
+                [v + (far in name) for v, far in zip(at, "ESD", strict=False)]
+                for name in self.tiles.shape.slots
+            )
+            slots = [self._color(*point, self.tiles.colors[0]) for point in around]
         return encode(np.stack(np.broadcast_arrays(*slots), axis=-1), self.tiles.colors)
 
+    def _edges(self, cells: tuple[Integers, ...]) -> list[Integers]:
+        """Colors of the edges (faces): a train along each axis."""
+        slots: list[Integers] = [np.zeros(1, np.int64)] * len(self.tiles.colors)
+        for at, ((far, near),) in zip(cells, self.tiles.shape.joints, strict=True):
+            slots[near] = train(at, self.tiles.colors[near])
+            slots[far] = train(at + 1, self.tiles.colors[far])
+        return slots
+
     def place(self, tile: ArrayLike) -> tuple[Integers, ...]:
-        """Cells x, y (, z) of tiles given by index: the inverse of `tile`."""
-        index = np.asarray(tile, np.int64)
-        if index.size and (index.min() < 0 or index.max() >= len(self.tiles)):
-            raise TilewrightValueError(f"tile holds indices outside 0 to {len(self.tiles) - 1}")
-        slots = [self.tiles.slots[index, s].astype(np.int64) for s in range(len(self.tiles.colors))]
-        c, shape = self.tiles.colors[0], self.tiles.shape
-        if shape is DOMINO:
-            return (train_position(slots[1], slots[0]),)
-        if shape is WANG:
-            return train_position(slots[3], slots[1]), train_position(slots[0], slots[2])
-        if shape is CORNER:
-            return torus_place(slots, c)
-        return cube_place(slots[:4], slots[4:], c)
-
-
-_NE_SE_SW_NW = ((1, 0), (1, 1), (0, 1), (0, 0))
+        """Cells x (, y, z) of tiles given by index: the inverse of `tile`."""
+        slots = list(np.moveaxis(self.tiles.slots_of(tile).astype(np.int64), -1, 0))
+        if self._color is None:
+            return tuple(
+                train_position(slots[near], slots[far]) for ((far, near),) in self.tiles.shape.joints
+            )
+        if self.tiles.shape is CORNER:
+            return torus_place(slots, self.tiles.colors[0])
+        return cube_place(slots[:4], slots[4:], self.tiles.colors[0])
 
 
 def packing(tiles: TileSet) -> Packing:
-    """The closed-form packing of a complete set of corner tiles, Wang tiles, dominoes or corner cubes.
+    """The closed-form packing of a complete set of corner tiles, Wang tiles, dominoes or cubes.
 
-    The Wang packing is the outer product of two of Wei's Eulerian trains (Lagae 2007, section 5.5.2); its
-    north-west part is the packing over one color less. The corner packing solves for every number of
-    colors what sections 5.5.3 and 6.2 (2006) search for.
+    The packing of Wang tiles and cubes is the outer product of Wei's Eulerian trains (Lagae 2007, section
+    5.5.2); its north-west part is the packing over one color less. The corner packing solves for every
+    number of colors what sections 5.5.3 and 6.2 (2006) search for.
     """
-    if not tiles.is_complete or tiles.shape not in (DOMINO, WANG, CORNER, CORNER_CUBE):
+    if not tiles.is_complete or tiles.shape is CORNER_CODED:
         raise TilewrightValueError(
-            f"packings are for complete sets of corner tiles, Wang tiles, dominoes and corner cubes, "
+            f"packings are for complete sets of corner tiles, Wang tiles, dominoes and cubes, "
             f"not for the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles"
         )
     return Packing(tiles)

@@ -8,7 +8,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles import TileSet
+from tilewright.tiles.tileset import as_integers
 from tilewright.tilings.domain import Domain
+
+_MOST_TILES = 2**31
 
 
 class Tiling(ABC):
@@ -47,10 +50,17 @@ class Tiling(ABC):
         start, extent = window[:dimension], window[dimension:]
         self.domain.check_window(start, extent)
         shape = tuple(int(e) for e in reversed(extent))
+        if len(self.tiles) > _MOST_TILES:
+            raise TilewrightValueError(
+                f"the {self.tiles.name} set has {len(self.tiles)} tiles; tile indices are int32, at most 2^31"
+            )
         if out is None:
             out = np.empty(shape, np.int32)
-        elif out.shape != shape or out.dtype != np.int32:
-            raise TilewrightValueError(f"out is {out.dtype} {out.shape}; expected int32 {shape}")
+        elif not isinstance(out, np.ndarray):
+            raise TilewrightTypeError(f"out must be an int32 array, not {type(out).__name__}")
+        elif out.shape != shape or out.dtype != np.int32 or not out.flags.writeable:
+            kind = out.dtype if out.flags.writeable else f"read-only {out.dtype}"
+            raise TilewrightValueError(f"out is {kind} {out.shape}; expected int32 {shape}")
         self._fill(tuple(int(s) for s in start), out)
         return out
 
@@ -76,9 +86,7 @@ class ArrayTiling(Tiling):
     """
 
     def __init__(self, tiles: TileSet, indices: ArrayLike, *, torus: bool = False) -> None:
-        cells = np.asarray(indices)
-        if cells.dtype.kind not in "iu":
-            raise TilewrightTypeError(f"indices must be integers, not {cells.dtype}")
+        cells = as_integers("indices", indices)
         if cells.ndim != tiles.shape.dimension or cells.size == 0:
             raise TilewrightValueError(
                 f"indices has shape {cells.shape}; {tiles.shape.name} tiles need "
@@ -107,25 +115,25 @@ class ArrayTiling(Tiling):
 
 
 def first_mismatch(tiles: TileSet, cells: NDArray[Any], *, torus: bool) -> str | None:
-    """What is wrong at the first joint where neighboring tiles disagree, or None."""
+    """What is wrong at the first cell, in the order of the array, that does not match a neighbor, or None."""
+    slots = tiles.slots_of(cells)
+    faults = []
     for axis, joint in enumerate(tiles.shape.joints):
         array_axis = cells.ndim - 1 - axis
-        far_tiles, near_tiles = cells, np.roll(cells, -1, array_axis)
-        if not torus:
-            keep = [slice(None)] * cells.ndim
-            keep[array_axis] = slice(0, -1)
-            far_tiles, near_tiles = far_tiles[tuple(keep)], near_tiles[tuple(keep)]
         for far, near in joint:
-            wrong = np.argwhere(tiles.slots[far_tiles, far] != tiles.slots[near_tiles, near])
-            if len(wrong):
-                at = tuple(wrong[0])
-                cell = ", ".join(f"{'xyz'[n]}={c}" for n, c in enumerate(reversed(at)))
-                return (
-                    f"the tiles at cell {cell} and its neighbor along {'xyz'[axis]} do not match: "
-                    f"{tiles.shape.slots[far]} is {tiles.slots[far_tiles[at], far]}, "
-                    f"{tiles.shape.slots[near]} is {tiles.slots[near_tiles[at], near]}"
-                )
-    return None
+            ours, theirs = slots[..., far], np.roll(slots[..., near], -1, array_axis)
+            wrong = ours != theirs
+            if not torus:
+                wrong[(slice(None),) * array_axis + (-1,)] = False
+            if wrong.any():
+                at = np.unravel_index(int(np.argmax(wrong)), wrong.shape)
+                names = f"{tiles.shape.slots[far]} is {ours[at]}, {tiles.shape.slots[near]} is {theirs[at]}"
+                faults.append((at, axis, names))
+    if not faults:
+        return None
+    at, axis, names = min(faults)
+    cell = ", ".join(f"{'xyz'[n]}={c}" for n, c in enumerate(reversed(at)))
+    return f"the tiles at cell {cell} and its neighbor along {'xyz'[axis]} do not match: {names}"
 
 
 def array_tiling(tiles: TileSet, indices: ArrayLike, *, torus: bool = False) -> ArrayTiling:

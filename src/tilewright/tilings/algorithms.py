@@ -1,0 +1,201 @@
+"""The algorithms of direct tilings: from a window of cells to the colors of each slot.
+
+Hashes color the integer lattice; slots follow from the colors around a cell. Windows are given by a
+`Lattice`; colors are arrays ``[y, x]`` (``[x]`` for dominoes, ``[z, y, x]`` for cubes).
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import lcm
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.tiles import TileSet
+from tilewright.tilings.chains import Chains, Span, closed_walks, meet, open_walks
+from tilewright.tilings.domain import fold
+from tilewright.tilings.hashes import LatticeHash, as_grid
+
+Colors = NDArray[np.uint8]
+Slots = tuple[Colors, ...]
+_FIRST, _SECOND, _MARKS, _BITS = 0, 1, 4, 5
+"""Streams of the hash; 2 and 3 belong to chains, 8 and 9 to densities and scanline tilings."""
+
+
+@dataclass(frozen=True)
+class Lattice:
+    """A window of cells, and what colors its lattice; x comes first in every tuple."""
+
+    tiles: TileSet
+    hash: LatticeHash
+    periods: tuple[int | None, ...]
+    start: tuple[int, ...]
+    extent: tuple[int, ...]
+
+    def points(self, axis: int, before: int = 0) -> NDArray[np.int64]:
+        """Lattice coordinates around the window, one more than cells, and ``before`` more in front."""
+        return fold(self.start[axis] - before, self.extent[axis] + 1 + before, self.periods[axis])
+
+    def cells(self, axis: int, before: int = 0) -> NDArray[np.int64]:
+        """Cell coordinates of the window, and ``before`` more in front."""
+        return fold(self.start[axis] - before, self.extent[axis] + before, self.periods[axis])
+
+    def span(self, axis: int) -> Span:
+        """The lattice coordinates around the window, not folded."""
+        return Span(self.start[axis], self.extent[axis] + 1, self.periods[axis])
+
+    @property
+    def axes(self) -> range:
+        """Numbers of the axes, x first."""
+        return range(len(self.start))
+
+
+# --- Corners ------------------------------------------------------------------------------------------
+
+
+def corners(at: Lattice) -> Colors:
+    """Complete corner sets: a hash at the lattice points (Lagae 2007, section 3.3.1)."""
+    return at.hash.grid(at.tiles.colors[0], _FIRST, *(at.points(a) for a in at.axes))
+
+
+def marks(at: Lattice) -> Colors:
+    """Corner-coded sets: the marks are hashed apart from the edges."""
+    return at.hash.grid(at.tiles.colors[-1], _MARKS, *(at.points(a) for a in at.axes))
+
+
+def columns(at: Lattice) -> Colors:
+    """`column_corner_tiles`: every column of lattice points is a chain."""
+    c = at.tiles.colors[0]
+    chains = Chains(at.hash, c, round(len(at.tiles) ** 0.5) // c)
+    height = at.periods[1]
+    if height is None:
+        return open_walks(chains, at.span(1), (at.span(0),), slope=0)
+    chains.check_length(height)
+    x, y = at.points(0)[np.newaxis, :], at.points(1)[:, np.newaxis]
+    return closed_walks(chains, (x,), y, height)
+
+
+def diagonals(at: Lattice) -> Colors:
+    """Compact corner sets and cubes: every diagonal from the corner NW (and U) on is a chain."""
+    c = at.tiles.colors[0]
+    chains = Chains(at.hash, c, len(at.tiles) // c ** (len(at.tiles.colors) - 1))
+    endless = [a for a in at.axes if at.periods[a] is None]
+    if endless:
+        # Positions run along an endless axis: there the chains never close.
+        along = endless[-1]
+        across = tuple(at.span(a) for a in at.axes if a != along)
+        colors = open_walks(chains, at.span(along), across, slope=1)
+        return np.moveaxis(colors, 0, len(at.axes) - 1 - along)
+    sizes = [p for p in at.periods if p is not None]
+    chains.check_length(lcm(*sizes))
+    position, *others = as_grid(tuple(at.points(a) for a in at.axes))
+    names, length = [], sizes[0]
+    for other, size in zip(others, sizes[1:], strict=True):
+        name, position, length = meet(position, length, other, size)
+        names.append(name)
+    return closed_walks(chains, tuple(names), position, length)
+
+
+def corner_slots(c: Colors) -> Slots:
+    """Slots of the cells between colored lattice points: NE, SE, SW, NW; of cubes, of either face."""
+    if c.ndim == 3:
+        return tuple(slot for face in (c[:-1], c[1:]) for slot in _face(face))
+    return _face(c)
+
+
+def _face(c: Colors) -> Slots:
+    return c[..., :-1, 1:], c[..., 1:, 1:], c[..., 1:, :-1], c[..., :-1, :-1]
+
+
+# --- Edges and faces ----------------------------------------------------------------------------------
+
+
+def ends(at: Lattice) -> Slots:
+    """Dominoes: a hash at the integers; slots E, W."""
+    c = at.hash.grid(at.tiles.colors[0], _FIRST, at.points(0))
+    return c[1:], c[:-1]
+
+
+def edges(at: Lattice) -> Slots:
+    """Complete Wang sets: one hash on a lattice twice as dense (Lagae 2007, section 3.3.2.3).
+
+    An edge lies where exactly one coordinate is even; so does a face of a cube.
+    """
+    planes = []
+    for axis in at.axes:
+        grid = (2 * at.points(a) if a == axis else 2 * at.cells(a) + 1 for a in at.axes)
+        planes.append(at.hash.grid(_edge_colors(at.tiles, axis), _FIRST, *grid))
+    return _edge_slots(planes)
+
+
+def two_hashes(at: Lattice) -> Slots:
+    """Complete Wang sets from sums of two corner colorings (Lagae 2007, section 3.3.2.1)."""
+    c_h, c_v = at.tiles.colors[:2]
+    h = at.hash.grid(c_h, _FIRST, at.points(0), at.points(1))
+    v = at.hash.grid(c_v, _SECOND, at.points(0), at.points(1))
+    return _edge_slots([(v[:-1] + v[1:]) % c_v, (h[:, :-1] + h[:, 1:]) % c_h])
+
+
+def sums(at: Lattice) -> Slots:
+    """`summed_wang_tiles` from one corner coloring (Lagae 2007, section 3.3.2.2)."""
+    count = at.tiles.colors[0]
+    c = at.hash.grid(count, _FIRST, at.points(0), at.points(1))
+    return _edge_slots([(c[:-1] + c[1:]) % count, (c[:, :-1] + c[:, 1:]) % count])
+
+
+def bits(at: Lattice) -> Slots:
+    """`shifted_wang_tiles` and `compact_wang_cubes`, C = 2^m: a color is the bits of the m tiles before."""
+    m = at.tiles.colors[0].bit_length() - 1
+    beta = at.hash.grid(2, _BITS, *(at.cells(a, before=m) for a in at.axes))
+    planes = []
+    for axis in at.axes:
+        inside = tuple(slice(0 if a == axis else m, None) for a in reversed(at.axes))
+        planes.append(_history(beta[inside], beta.ndim - 1 - axis, m))
+    return _edge_slots(planes)
+
+
+def _history(beta: Colors, array_axis: int, m: int) -> Colors:
+    """Number made of the m bits before each plane along an axis, the latest lowest."""
+    beta = np.moveaxis(beta, array_axis, 0)
+    count = len(beta) - m
+    total = np.zeros((count + 1, *beta.shape[1:]), np.uint8)
+    for back in range(1, m + 1):
+        total += beta[m - back : m - back + count + 1] << np.uint8(back - 1)
+    return np.moveaxis(total, 0, array_axis)
+
+
+def _edge_colors(tiles: TileSet, axis: int) -> int:
+    """How many colors the edges (faces) across an axis have."""
+    return tiles.colors[tiles.shape.slot("WNU"[axis])]
+
+
+def _edge_slots(planes: list[Colors]) -> Slots:
+    """N, E, S, W (, U, D) of the cells between colored edges across x, y (, z)."""
+    slots = []
+    for axis, plane in enumerate(planes):
+        moved = np.moveaxis(plane, plane.ndim - 1 - axis, 0)
+        slots.append([np.moveaxis(half, 0, plane.ndim - 1 - axis) for half in (moved[:-1], moved[1:])])
+    (west, east), (north, south), *upper_lower = slots
+    return (north, east, south, west, *(face for pair in upper_lower for face in pair))
+
+
+CORNER_ALGORITHMS: dict[str, Callable[[Lattice], Colors]] = {
+    "corners": corners,
+    "diagonals": diagonals,
+    "columns": columns,
+}
+EDGE_ALGORITHMS: dict[str, Callable[[Lattice], Slots]] = {
+    "ends": ends,
+    "edges": edges,
+    "two-hashes": two_hashes,
+    "sums": sums,
+    "bits": bits,
+}
+
+
+def evaluate(algorithm: str, at: Lattice) -> Slots:
+    """Colors of every slot of a window; the names of corner-coded sets' algorithms begin with ``marked-``."""
+    if algorithm in CORNER_ALGORITHMS:
+        return corner_slots(CORNER_ALGORITHMS[algorithm](at))
+    slots = EDGE_ALGORITHMS[algorithm.removeprefix("marked-")](at)
+    return slots + corner_slots(marks(at)) if algorithm.startswith("marked-") else slots

@@ -1,0 +1,59 @@
+"""Packings: every tile once, neighbors matching, inverted both ways."""
+
+import numpy as np
+import pytest
+
+import tilewright as tw
+from tilewright.tilings import first_mismatch
+
+
+@pytest.mark.parametrize("c", range(1, 17))
+def test_packings_hold_every_tile_once_and_are_inverted(c):
+    for tiles in (tw.corner_tiles(c), tw.wang_tiles(c), tw.dominoes(c)):
+        packed = tw.packing(tiles)
+        cells = packed.indices(*(0,) * len(packed.size), *packed.size)
+        assert np.array_equal(np.sort(cells.ravel()), np.arange(len(tiles)))
+        assert first_mismatch(tiles, cells, torus=True) is None
+        place = packed.place(np.arange(len(tiles)))
+        assert np.array_equal(cells[tuple(reversed(place))], np.arange(len(tiles)))
+
+
+@pytest.mark.parametrize("c", [1, 2, 3, 4])
+def test_cube_packings(c):
+    packed = tw.packing(tw.corner_cubes(c))
+    cells = packed.indices(0, 0, 0, *packed.size)
+    assert np.array_equal(np.sort(cells.ravel()), np.arange(c**8))
+    assert first_mismatch(packed.tiles, cells, torus=True) is None
+    x, y, z = packed.place(np.arange(c**8))
+    assert np.array_equal(cells[z, y, x], np.arange(c**8))
+
+
+@pytest.mark.parametrize("c", [1, 2, 3, 4])
+def test_wang_cube_packings(c):
+    packed = tw.packing(tw.wang_cubes(c))
+    cells = packed.indices(0, 0, 0, *packed.size)
+    assert np.array_equal(np.sort(cells.ravel()), np.arange(c**6))
+    assert first_mismatch(packed.tiles, cells, torus=True) is None
+    x, y, z = packed.place(np.arange(c**6))
+    assert np.array_equal(cells[z, y, x], np.arange(c**6))
+
+
+@pytest.mark.parametrize("c", [5, 8, 9, 16])
+def test_large_cube_packings_are_inverted(c):
+    packed = tw.packing(tw.corner_cubes(c))
+    tiles = np.random.default_rng(c).integers(0, c**8, 2000)
+    assert np.array_equal(packed.tile(*packed.place(tiles)), tiles)
+    if c**8 < 2**31:
+        assert np.array_equal(
+            packed.indices(3, 4, 5, 4, 3, 2),
+            packed.tile(3 + np.arange(4), 4 + np.arange(3)[:, None], 5 + np.arange(2)[:, None, None]),
+        )
+
+
+@pytest.mark.parametrize("c", range(2, 17))
+def test_the_wang_packing_nests_the_one_over_a_color_less(c):
+    big, small = tw.packing(tw.wang_tiles(c)), tw.packing(tw.wang_tiles(c - 1))
+    n = (c - 1) ** 2
+    assert np.array_equal(
+        big.tiles.slots[big.indices(0, 0, n, n)], small.tiles.slots[small.indices(0, 0, n, n)]
+    )
