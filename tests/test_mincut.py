@@ -72,9 +72,9 @@ def seam(features, p, q, step):
     ).sum()
 
 
-def energy(features, canvas, shift, where, weight):
+def energy(features, canvas, shift, where, weight, kept):
     height, width = where.shape
-    total = 0.0
+    total = kept[~where].sum()
 
     def origin(i, j):
         if where[i, j]:
@@ -102,13 +102,15 @@ def test_overlay_is_the_best_of_all_ways_to_lay_a_patch(seed):
     state[0], state[3, 1:4] = FORCED_OLD, FORCED_NEW
     weight = rng.uniform(0.2, 1, (4, 5)).astype(np.float32)
     shift = (5, 11)
-    found, where = canvas.overlay(sheet, shift, state, weight)
-    assert found == pytest.approx(energy(features, canvas, shift, where, weight), rel=1e-4)
+    keep = rng.uniform(0, 0.3, (4, 5)).astype(np.float32)
+    kept = np.where(state == OPEN, keep, 0)
+    found, where = canvas.overlay(sheet, shift, state, weight, keep=keep)
+    assert found == pytest.approx(energy(features, canvas, shift, where, weight, kept), rel=1e-4)
     open_pixels = np.argwhere(state == OPEN)
     best = np.inf
     for bits in range(2 ** len(open_pixels)):
         trial = state == FORCED_NEW
         trial[tuple(open_pixels[[k for k in range(len(open_pixels)) if bits >> k & 1]].T)] = True
-        best = min(best, energy(features, canvas, shift, trial, weight))
+        best = min(best, energy(features, canvas, shift, trial, weight, kept))
     # Costs become integers for the cut, and old seams dearer than any new one are clipped.
     assert found <= best * 1.02 + 60 / _SCALE

@@ -194,10 +194,15 @@ def test_no_line_shows_at_tile_borders_when_minified(open_page, gravel, shrink):
     wanted = np.where(mean <= 0.0031308, mean * 12.92, 1.055 * mean ** (1 / 2.4) - 0.055) * 255
     error = np.mean((shown - wanted) ** 2)
     assert 10 * np.log10(255**2 / error) > 45
-    steps = np.abs(np.diff(shown, axis=1))
     columns = (np.arange(255) + 1) * shrink + round(x)
     border = columns % 64 < shrink
-    assert steps[:, border].mean() < 1.15 * steps[:, ~border].mean()
+
+    def excess(picture):
+        steps = np.abs(np.diff(picture, axis=1))
+        return steps[:, border].mean() / steps[:, ~border].mean()
+
+    # Few tiles meet here, so their content alone makes steps differ: the supersampled picture says how much.
+    assert excess(shown) < 1.05 * excess(wanted)
 
 
 def test_the_page_is_small_and_whole(tmp_path, gravel):

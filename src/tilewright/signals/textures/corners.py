@@ -7,13 +7,15 @@ from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
 from tilewright.signals.textures.plan import Plan
-from tilewright.signals.textures.search import PLAINNESS, PatchSearch, Place
+from tilewright.signals.textures.search import PatchSearch, Place
 from tilewright.signals.textures.sheet import Sheet
 
 SAMPLES = 1200
 """Random positions among which the corner patches are chosen."""
 ARM = 0.22
 """Half the length of the strips that are compared, in tiles."""
+PLAINNESS, SHOWN = 3.0, 0.35
+"""How much a conspicuous place is marked down, and the side of what stays of a corner patch, in tiles."""
 
 
 def choose_corners(search: PatchSearch, plan: Plan, overlap: int, rng: np.random.Generator) -> list[Place]:
@@ -27,7 +29,8 @@ def choose_corners(search: PatchSearch, plan: Plan, overlap: int, rng: np.random
     misfit = _misfit(search, candidates.rows, candidates.columns, overlap)
     penalty = np.ones(len(candidates.rows))
     if search.period is None:
-        penalty += PLAINNESS * search.conspicuous_at(candidates.rows, candidates.columns, search.size // 2)
+        side = round(SHOWN * search.size)
+        penalty += PLAINNESS * search.conspicuous_at(candidates.rows, candidates.columns, side)
     chosen = dict(candidates.picked)
     for corner in range(len(plan.corner_sources)):
         if corner not in chosen:

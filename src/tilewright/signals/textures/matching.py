@@ -1,6 +1,8 @@
 """Where in the exemplar is a patch that would fit here? Weighted squared distance at every place."""
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,7 +10,12 @@ from scipy.fft import irfft2, next_fast_len, rfft2
 from scipy.ndimage import minimum_filter
 
 from tilewright.signals.textures.patchwork import Patchwork
-from tilewright.signals.textures.sheet import Sheet
+from tilewright.signals.textures.sheet import Sheet, reduce_blocks
+
+BLOCK_SIDE = 1280
+"""Pixels along the parts in which a large exemplar is searched: each patch in one of them."""
+BLOCKS_HELD = 16
+"""Parts that are kept ready."""
 
 
 class Matcher:
@@ -21,13 +28,13 @@ class Matcher:
     def __init__(self, sheet: Sheet, size: int, tone_sigma: float) -> None:
         self.sheet = sheet
         self.size = size
-        self.color = WindowDistance(sheet.features)
         # Tone varies slowly: one pixel in `step` is enough.
         self.step = max(1, size // 32)
         low = sheet.low_pass(tone_sigma)
         spread = float(low[sheet.usable].var(axis=0, dtype=np.float64).sum())
         self.tone_pixels = (low - low[sheet.usable].mean(axis=0)) / np.float32(np.sqrt(max(spread, 1e-12)))
-        self.tone = WindowDistance(_reduce(self.tone_pixels, self.step))
+        self.blocks = cut_into_blocks(sheet.usable.shape, size)
+        self._block = lru_cache(BLOCKS_HELD)(self._prepare_block)
         self._places: dict[tuple[int, ...], NDArray[np.bool_]] = {}
 
     def places(self, sources: Sequence[int]) -> NDArray[np.bool_]:
@@ -48,16 +55,41 @@ class Matcher:
             self._places[key] = (total[n:, n:] - total[:-n, n:] - total[n:, :-n] + total[:-n, :-n]) == 0
         return self._places[key]
 
+    def inside(self, block: int) -> tuple[slice, slice]:
+        """The places whose windows lie in a block."""
+        top, left, height, width = self.blocks[block]
+        return slice(top, top + height - self.size + 1), slice(left, left + width - self.size + 1)
+
+    def _prepare_block(self, block: int) -> tuple["WindowDistance", "WindowDistance"]:
+        top, left, height, width = self.blocks[block]
+        part = slice(top, top + height), slice(left, left + width)
+        return WindowDistance(self.sheet.features[part]), WindowDistance(
+            reduce_blocks(self.tone_pixels[part], self.step)
+        )
+
     def distances(
-        self, canvas: Patchwork, weight: NDArray[np.float32]
+        self, block: int, canvas: Patchwork, weight: NDArray[np.float32]
     ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-        """Mean squared distance of the canvas to each window, in color (weighted) and in tone."""
-        color = self.color(canvas.pixels(self.sheet.features), weight)
-        tone_canvas = _reduce(canvas.pixels(self.tone_pixels), self.step)
-        coarse = self.tone(tone_canvas, np.ones(tone_canvas.shape[:2], np.float32))
+        """Mean squared distance of the canvas to each window of a block, in color (weighted) and in tone."""
+        color_distance, tone_distance = self._block(block)
+        color = color_distance(canvas.pixels(self.sheet.features), weight)
+        tone_canvas = reduce_blocks(canvas.pixels(self.tone_pixels), self.step)
+        coarse = tone_distance(tone_canvas, np.ones(tone_canvas.shape[:2], np.float32))
         rows = np.minimum(np.arange(color.shape[0]) // self.step, coarse.shape[0] - 1)
         columns = np.minimum(np.arange(color.shape[1]) // self.step, coarse.shape[1] - 1)
         return color, coarse[rows][:, columns]
+
+
+def cut_into_blocks(shape: tuple[int, ...], size: int) -> list[tuple[int, int, int, int]]:
+    """Parts (top, left, height, width) of a sheet, small enough to search; every window lies in one."""
+    spans = []
+    for length in shape:
+        # Windows of a part begin in it; the part goes on until the last of them ends.
+        starts = max(1, length - size + 1)
+        count = -(-starts // max(1, BLOCK_SIDE - size))
+        edges = np.linspace(0, starts, count + 1).astype(int)
+        spans.append([(int(a), int(b - a) + min(size, length) - 1) for a, b in pairwise(edges)])
+    return [(top, left, height, width) for top, height in spans[0] for left, width in spans[1]]
 
 
 class WindowDistance:
@@ -81,13 +113,6 @@ class WindowDistance:
         rows, columns = self.shape
         found = irfft2(spectrum, self.size)[: rows - height + 1, : columns - width + 1]
         return np.maximum(found + np.float32((planes * planes * share).sum()), 0)
-
-
-def _reduce(image: NDArray[np.float32], step: int) -> NDArray[np.float32]:
-    """Mean over blocks of step x step pixels; what does not fill a block is left out."""
-    rows, columns = image.shape[0] // step, image.shape[1] // step
-    blocks = image[: rows * step, : columns * step].reshape(rows, step, columns, step, -1)
-    return blocks.mean(axis=(1, 3), dtype=np.float32)
 
 
 def best_places(score: NDArray[np.float32], count: int, apart: int) -> list[tuple[int, int]]:

@@ -17,16 +17,20 @@ from tilewright.signals.textures.corners import choose_corners
 from tilewright.signals.textures.frame import Frame
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
 from tilewright.signals.textures.plan import Edge, Plan
-from tilewright.signals.textures.search import CONTEXT, CONTEXT_SIGMA, PatchSearch, Place
+from tilewright.signals.textures.search import CONTEXT, CONTEXT_SIGMA, Opening, PatchSearch, Place
 
 OVERLAP = 0.11
 """Half the width in which two corner patches are cut, in tiles."""
-EDGE_CORE = (0.24, 0.14)
+EDGE_CORE = (0.22, 0.12)
 """Half-length and half-width of the part an edge patch must fill, in tiles."""
-CENTER_CORE = 0.34
+CENTER_CORE = 0.30
 """Half-width of the part a center patch must fill, in tiles."""
 MIXED_CORE = 0.5
 """The cores shrink to this where two sources meet, so that the cut decides where one ends."""
+EDGE_PLAINNESS, CENTER_PLAINNESS = 0.7, 0.3
+"""How much a conspicuous place is marked down; corner patches recur most and have their own."""
+RECURRENCE = 0.17
+"""What every older pixel costs that an edge patch or a center patch leaves, see `Opening`."""
 BORDER = 2
 """Pixels along the tile's border that belong to its edges."""
 
@@ -80,16 +84,11 @@ def lay_edge(
     length, width = (c * frame.size * shrink for c in EDGE_CORE)
     core = (np.abs(along) < length) & (np.abs(across) < width)
     limit = np.abs(frame.u) + np.abs(frame.v) < frame.half - 1
-    canvas, place = search.lay(
-        edge.name,
-        canvas,
-        frame.ring(core, limit),
-        weight,
-        sources,
-        end_places(frame, edge, corners),
-        earlier,
-        plain=True,
+    ends = end_places(frame, edge, corners)
+    opening = Opening(
+        canvas, frame.ring(core, limit), weight, sources, ends, earlier, EDGE_PLAINNESS, RECURRENCE
     )
+    canvas, place = search.lay(edge.name, opening)
     return canvas, [place]
 
 
@@ -151,7 +150,8 @@ def lay_center_patch(
     """Lay a tile's own patch over everything but the border."""
     core = frame.superellipse(CENTER_CORE * (MIXED_CORE if len(sources) > 1 else 1))
     state = frame.ring(core, inside_border(frame))
-    return search.lay(f"center:{tile}", canvas, state, even(frame), sources, shown, earlier, plain=False)
+    opening = Opening(canvas, state, even(frame), sources, shown, earlier, CENTER_PLAINNESS, RECURRENCE)
+    return search.lay(f"center:{tile}", opening)
 
 
 def inside_border(frame: Frame) -> NDArray[np.bool_]:

@@ -6,6 +6,7 @@ A seam that is already there counts in the cut, so a new patch covers old seams 
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +40,12 @@ class Patchwork:
         rows, columns = image.shape[:2]
         return image[np.clip(self.rows, 0, rows - 1), np.clip(self.columns, 0, columns - 1)]
 
+    def reduced(self, step: int) -> "Patchwork":
+        """The canvas seen through one pixel in ``step``, in coordinates of the sheet reduced likewise."""
+        return Patchwork(
+            thinned(self.rows, step) // np.int32(step), thinned(self.columns, step) // np.int32(step)
+        )
+
     def with_patch(self, shift: tuple[int, int], where: NDArray[np.bool_]) -> "Patchwork":
         """The canvas with a patch copied over it where told."""
         new = Patchwork.of_patch(self.rows.shape[0], self.rows.shape[1], shift)
@@ -52,6 +59,7 @@ class Patchwork:
         weight: NDArray[np.float32],
         context: float = 0.0,
         reach: float = 0.0,
+        keep: NDArray[np.float32] | None = None,
     ) -> tuple[float, NDArray[np.bool_]]:
         """Cut a patch into the canvas: the energy of the best cut, and where the patch then lies.
 
@@ -62,6 +70,7 @@ class Patchwork:
         weight : float32 (h, w), what a seam counts there.
         context : how much the difference around a seam counts beside that at the seam.
         reach : radius (sigma, pixels) of that neighborhood.
+        keep : float32 (h, w), what each open pixel costs that stays old; nothing by default.
         """
         height, width = state.shape
         around = np.zeros(state.shape, np.float32)
@@ -82,12 +91,15 @@ class Patchwork:
             capacity,
             terminal,
         )
+        kept = np.zeros(state.shape, np.float32) if keep is None else np.where(state == OPEN, keep, 0)
+        inner = terminal.reshape(height + 2, width + 2)[1:-1, 1:-1]
+        inner -= np.rint(kept * _SCALE).astype(np.int32)
         in_sink = np.zeros(terminal.shape, np.uint8)
         cut_grid(capacity, terminal, width + 2, in_sink)
         chosen = in_sink.reshape(height + 2, width + 2)[1:-1, 1:-1] == 1
         where = (state == FORCED_NEW) | ((state == OPEN) & chosen)
         energy = sum_seams(sheet.features, self.rows, self.columns, *shift, where, weight, around)
-        return float(energy), where
+        return float(energy) + float(kept[~where].sum(dtype=np.float64)), where
 
     def with_cut(
         self,
@@ -100,6 +112,11 @@ class Patchwork:
     ) -> "Patchwork":
         """The canvas with a patch cut into it; parameters as in `overlay`."""
         return self.with_patch(shift, self.overlay(sheet, shift, state, weight, context, reach)[1])
+
+
+def thinned(pixels: NDArray[Any], step: int) -> NDArray[Any]:
+    """One pixel in ``step`` along both axes."""
+    return pixels[step // 2 :: step, step // 2 :: step]
 
 
 def stack(canvases: Sequence[Patchwork]) -> Patchwork:

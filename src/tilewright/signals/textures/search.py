@@ -2,12 +2,14 @@
 
 Every place of the exemplar is scored by how well it continues what is already there (color around the
 patch, tone over the whole tile), multiplied by how conspicuous and how used it is; the best places that
-lie apart are cut in, and the cheapest cut wins.
+lie apart are cut in, and the cheapest of them wins, its cut counted together with its score. What a patch
+leaves of the older content comes back in more tiles than the patch does, so leaving it has a price too.
 """
 
 from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,21 +17,26 @@ from scipy.ndimage import gaussian_filter, uniform_filter
 
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.signals.textures.matching import Matcher, bar_places, best_places
-from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork
+from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, thinned
 from tilewright.signals.textures.sheet import Sheet
 
 Place = tuple[int, int]
 
 CANDIDATES = 16
 """Places that are cut in before the cheapest is kept."""
+SMALL, FINALISTS = 128, 3
+"""Pixels along a canvas above which candidates are cut at a smaller scale first, and how many then stay."""
 APART = 1 / 16
 """Least distance between candidates, in tiles."""
-TONE_SIGMA = 1 / 12
+TONE_SIGMA = 1 / 5
 """Low-pass that leaves the tone, in tiles."""
-TONE = 0.5
+TONE = 4.0
 """What a difference of one standard deviation in tone counts, in variances of the exemplar."""
-PLAINNESS = 0.7
-"""How much a conspicuous place is marked down where the patch will recur often."""
+RECURRENCE_BAND = 0.15
+"""Towards a canvas's border the price of recurrence falls to nothing over this width, in tiles: a cut that
+hurries to the border would show the tile's square."""
+BLAND = 0.5
+"""What too little contrast counts when a place is judged for conspicuousness, beside too much."""
 USAGE = 0.5
 """How much a place is marked down for each time it was used."""
 CONTEXT, CONTEXT_SIGMA = 1.0, 1 / 24
@@ -51,6 +58,66 @@ class Ledger:
     laid: dict[str, Place] = field(default_factory=dict)
 
 
+@dataclass(frozen=True, eq=False)
+class Opening:
+    """A canvas that waits for a patch.
+
+    Attributes
+    ----------
+    canvas : Patchwork
+        What lies there already.
+    state : uint8 (h, w)
+        FORCED_OLD, OPEN or FORCED_NEW for each pixel.
+    weight : float32 (h, w)
+        What a seam counts at each pixel.
+    sources : the sources the patch may come from.
+    shown : places that show on the canvas; those near them are not taken.
+    earlier : places of patches of the same kind; as far as the exemplar has others, those are taken.
+    plainness : how much a conspicuous place is marked down: more where the patch will recur more often.
+    recurrence : what every old pixel that stays costs, over the root mean square step between neighboring
+        pixels of the exemplar: old content shows in more tiles than the patch.
+    """
+
+    canvas: Patchwork
+    state: NDArray[np.uint8]
+    weight: NDArray[np.float32]
+    sources: Sequence[int]
+    shown: Sequence[Place] = ()
+    earlier: Sequence[Place] = ()
+    plainness: float = 0.0
+    recurrence: float = 0.0
+
+
+class Cut(NamedTuple):
+    """Where a patch would lie, and what that costs."""
+
+    place: Place
+    where: NDArray[np.bool_]
+    cost: float
+
+
+class Scale:
+    """Cuts patches into openings, seen through one pixel in ``step``."""
+
+    def __init__(self, sheet: Sheet, size: int, step: int) -> None:
+        self.step = step
+        self.sheet = sheet if step == 1 else sheet.reduced(step)
+        self.reach = CONTEXT_SIGMA * size / step
+        # 0 at the border of a canvas, 1 from the band on.
+        steps = np.arange(size) + 0.5
+        rise = np.minimum(1, np.minimum(steps, size - steps) / (RECURRENCE_BAND * size))
+        self.inwards = thinned(np.minimum.outer(rise, rise).astype(np.float32), step)
+
+    def cut(self, opening: Opening, place: Place) -> tuple[float, NDArray[np.bool_]]:
+        """The energy of the best cut of a patch into an opening, and where the patch then lies."""
+        step = self.step
+        state, weight = thinned(opening.state, step), thinned(opening.weight, step)
+        canvas = opening.canvas if step == 1 else opening.canvas.reduced(step)
+        y, x = ((c + step // 2) // step for c in place)
+        keep = np.float32(opening.recurrence * np.sqrt(self.sheet.grain)) * weight * self.inwards
+        return canvas.overlay(self.sheet, (y, x), state, weight, CONTEXT, self.reach, keep)
+
+
 class PatchSearch:
     """Lays patches from one sheet over canvases of one tile size."""
 
@@ -63,6 +130,7 @@ class PatchSearch:
         pool: ThreadPoolExecutor,
         progress: Progress | None,
         total: int,
+        rng: np.random.Generator,
     ) -> None:
         self.sheet = sheet
         self.size = size
@@ -71,6 +139,8 @@ class PatchSearch:
         self.pool = pool
         self.progress = progress
         self.total = total
+        self.rng = rng
+        self.full, self.small = Scale(sheet, size, 1), Scale(sheet, size, max(1, size // SMALL))
         self.matcher = Matcher(sheet, size, TONE_SIGMA * size)
         self.conspicuous = conspicuousness(sheet, size)
         self.used = np.zeros(sheet.usable.shape, np.float32)
@@ -89,43 +159,44 @@ class PatchSearch:
         if self.progress is not None:
             self.progress(len(self.ledger.laid), self.total, what)
 
-    def lay(
-        self,
-        name: str,
-        canvas: Patchwork,
-        state: NDArray[np.uint8],
-        weight: NDArray[np.float32],
-        sources: Sequence[int],
-        shown: Iterable[Place],
-        earlier: Sequence[Place],
-        plain: bool,
-    ) -> tuple[Patchwork, Place]:
-        """Find a patch for an open canvas, cut it in, and return the new canvas and its place.
-
-        ``weight`` is what a seam counts at each pixel; places near those ``shown`` on the canvas are not
-        taken, nor, as far as the exemplar has others, places near ``earlier`` patches of the same kind;
-        ``plain`` asks for an inconspicuous patch.
-        """
-        if name in self.ledger.picked:
-            places = [self.checked_pick(name)]
-        else:
-            score = self._score(canvas, state, weight, sources, plain)
-            bar_places(score, shown, self.exclusion)
-            bar_places(score, self.ledger.rejected.get(name, ()), self.size / 4)
-            self._bar_if_others_are_left(score, earlier)
-            places = best_places(score, CANDIDATES, max(1, round(APART * self.size)))
-        if not places:
+    def lay(self, name: str, opening: Opening) -> tuple[Patchwork, Place]:
+        """Find a patch for an opening, cut it in, and return the new canvas and its place."""
+        # Step 1: the places that promise most, and how good each looks before it is cut in.
+        promise = {self.checked_pick(name): 1.0} if name in self.ledger.picked else self._find(name, opening)
+        if not promise:
             raise TilewrightValueError(
                 f"no place is left for patch {name}: the exemplar or its mask is too small for tiles of "
                 f"{self.size} pixels, or too many patches were rejected"
             )
-        cuts = list(self.pool.map(lambda place: self._cut(canvas, place, state, weight), places))
-        best = min(range(len(places)), key=lambda k: cuts[k][0])
-        place, where = places[best], cuts[best][1]
-        self._mark_used(place, where & (state != FORCED_OLD))
+        # Step 2: cut each of them in; the least cut, counted with the promise, wins. Large canvases are cut
+        # on a small scale first, and only the best of those at full size.
+        if self.small.step > 1:
+            promise = {
+                cut.place: promise[cut.place]
+                for cut in self._cut_all(self.small, opening, promise)[:FINALISTS]
+            }
+        place, where, _ = self._cut_all(self.full, opening, promise)[0]
+        self._mark_used(place, where & (opening.state != FORCED_OLD))
         self.ledger.laid[name] = place
         self.step(name)
-        return canvas.with_patch(place, where), place
+        return opening.canvas.with_patch(place, where), place
+
+    def _find(self, name: str, opening: Opening) -> dict[Place, float]:
+        """The best places for a patch and their scores, in the first block of the sheet that has any."""
+        for block in self.rng.permutation(len(self.matcher.blocks)):
+            top, left = self.matcher.blocks[block][:2]
+            score = self._score(int(block), opening)
+
+            def inside(places: Iterable[Place], top: int = top, left: int = left) -> list[Place]:
+                return [(y - top, x - left) for y, x in places]
+
+            bar_places(score, inside(opening.shown), self.exclusion)
+            bar_places(score, inside(self.ledger.rejected.get(name, ())), self.size / 4)
+            self._bar_if_others_are_left(score, inside(opening.earlier))
+            found = best_places(score, CANDIDATES, max(1, round(APART * self.size)))
+            if found:
+                return {(y + top, x + left): float(score[y, x]) for y, x in found}
+        return {}
 
     def _bar_if_others_are_left(self, score: NDArray[np.float32], earlier: Sequence[Place]) -> None:
         """Bar places near earlier patches, in a radius small enough that some places stay."""
@@ -138,36 +209,38 @@ class PatchSearch:
                 return
             radius /= 2
 
-    def _cut(
-        self, canvas: Patchwork, place: Place, state: NDArray[np.uint8], weight: NDArray[np.float32]
-    ) -> tuple[float, NDArray[np.bool_]]:
-        return canvas.overlay(self.sheet, place, state, weight, CONTEXT, CONTEXT_SIGMA * self.size)
+    def _cut_all(self, scale: "Scale", opening: Opening, promise: dict[Place, float]) -> list["Cut"]:
+        """The cuts of several places, best first."""
+        cuts = self.pool.map(lambda place: scale.cut(opening, place), promise)
+        found = [
+            Cut(place, where, energy * promise[place])
+            for place, (energy, where) in zip(promise, cuts, strict=True)
+        ]
+        return sorted(found, key=lambda cut: cut.cost)
 
-    def _score(
-        self,
-        canvas: Patchwork,
-        state: NDArray[np.uint8],
-        weight: NDArray[np.float32],
-        sources: Sequence[int],
-        plain: bool,
-    ) -> NDArray[np.float32]:
-        """Lower is better; infinite where the patch would leave the sources."""
-        color, tone = self.matcher.distances(canvas, np.where(state == OPEN, weight, 0))
+    def _score(self, block: int, opening: Opening) -> NDArray[np.float32]:
+        """Lower is better, for every place of a block; infinite where the patch would leave the sources."""
+        free = self.matcher.places(opening.sources)[self.matcher.inside(block)]
+        if not free.any():
+            return np.full(free.shape, np.inf, np.float32)
+        state = opening.state
+        weight = np.where(state == OPEN, opening.weight, 0)
+        color, tone = self.matcher.distances(block, opening.canvas, weight)
         score = color + np.float32(TONE) * tone
         # What stays of the patch is about its core: a box as large, around the window's middle.
         side = max(1, round(float(np.sqrt((state == FORCED_NEW).sum()))))
-        score *= 1 + np.float32(USAGE) * self._around(self.used, side)
-        if plain and self.period is None:
-            score *= 1 + np.float32(PLAINNESS) * self._around(self.conspicuous, side)
-        score[~self.matcher.places(sources)] = np.inf
+        score *= 1 + np.float32(USAGE) * self._around(self.used, side, block)
+        if opening.plainness and self.period is None:
+            score *= 1 + np.float32(opening.plainness) * self._around(self.conspicuous, side, block)
+        score[~free] = np.inf
         return score
 
-    def _around(self, field: NDArray[np.float32], side: int) -> NDArray[np.float32]:
-        """Mean of a field of the sheet over a box in the middle of each window."""
+    def _around(self, field: NDArray[np.float32], side: int, block: int) -> NDArray[np.float32]:
+        """Mean of a field of the sheet over a box in the middle of each window of a block."""
         half = self.size // 2
-        rows, columns = field.shape
-        mean = uniform_filter(field, side, mode="nearest")
-        return mean[half : rows - self.size + half + 1, half : columns - self.size + half + 1]
+        top, left, height, width = self.matcher.blocks[block]
+        mean = uniform_filter(field[top : top + height, left : left + width], side, mode="nearest")
+        return mean[half : height - self.size + half + 1, half : width - self.size + half + 1]
 
     def conspicuous_at(
         self, rows: NDArray[np.int64], columns: NDArray[np.int64], side: int
@@ -198,7 +271,8 @@ def conspicuousness(sheet: Sheet, size: int) -> NDArray[np.float32]:
     tone = ((low - mean) ** 2).sum(axis=2)
     fine = ((sheet.low_pass(2.0) - low) ** 2).sum(axis=2)
     contrast = gaussian_filter(fine, size / 16)
-    contrast = np.abs(contrast - contrast[sheet.usable].mean())
+    contrast -= contrast[sheet.usable].mean()
+    contrast = np.maximum(contrast, -np.float32(BLAND) * contrast)
     return sum(
         (0.5 * part / max(float(part[sheet.usable].mean()), 1e-9)).astype(np.float32)
         for part in (tone, contrast)

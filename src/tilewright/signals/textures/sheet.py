@@ -1,10 +1,11 @@
 """All sources of an exemplar on one sheet of features, the coordinates synthesis works in."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter
+from scipy.ndimage import gaussian_filter, uniform_filter
 
 from tilewright.signals.textures.exemplar import Exemplar
 
@@ -39,13 +40,50 @@ class Sheet:
         origins[..., 2] = columns
         return origins
 
+    @cached_property
+    def grain(self) -> float:
+        """Mean squared step from a pixel to its neighbors east and south: what a seam costs at the least."""
+        total = 0.0
+        for axis in (0, 1):
+            step = (np.diff(self.features, axis=axis) ** 2).sum(axis=2)
+            both = np.logical_and(*(np.delete(self.usable, end, axis=axis) for end in (0, -1)))
+            total += float(step[both].mean(dtype=np.float64)) if both.any() else 0.0
+        return total
+
     def low_pass(self, sigma: float) -> NDArray[np.float32]:
         """The features of each source, low-passed within it; same shape as ``features``."""
         out = np.zeros_like(self.features)
         for top, (h, w) in zip(self.tops, self.sizes, strict=True):
             part = self.features[top : top + h, :w]
-            out[top : top + h, :w] = gaussian_filter(part, (sigma, sigma, 0), mode="nearest")
+            out[top : top + h, :w] = _blur(part, sigma)
         return out
+
+    def reduced(self, step: int) -> "Sheet":
+        """The sheet with ``step`` x ``step`` pixels averaged into one."""
+        usable = reduce_blocks(self.usable[..., np.newaxis].astype(np.float32), step)[..., 0] == 1
+        return Sheet(
+            reduce_blocks(self.features, step),
+            usable,
+            tuple(top // step for top in self.tops),
+            tuple((h // step, w // step) for h, w in self.sizes),
+        )
+
+
+def reduce_blocks(image: NDArray[np.float32], step: int) -> NDArray[np.float32]:
+    """Mean over blocks of step x step pixels; what does not fill a block is left out."""
+    rows, columns = image.shape[0] // step, image.shape[1] // step
+    blocks = image[: rows * step, : columns * step].reshape(rows, step, columns, step, -1)
+    return blocks.mean(axis=(1, 3), dtype=np.float32)
+
+
+def _blur(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
+    """A Gaussian; wide ones as three boxes of that variance, whose cost does not grow with them."""
+    side = 2 * round((np.sqrt(4 * sigma**2 + 1) - 1) / 2) + 1
+    if side < 9:
+        return np.asarray(gaussian_filter(image, (sigma, sigma, 0), mode="nearest"))
+    for _ in range(3):
+        image = uniform_filter(image, (side, side, 1), mode="nearest")
+    return image
 
 
 def make_sheet(exemplar: Exemplar) -> Sheet:

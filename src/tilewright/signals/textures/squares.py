@@ -8,7 +8,7 @@ from tilewright.signals.textures.frame import Frame
 from tilewright.signals.textures.nested import OVERLAP, cut_ends, end_places, even, join_edges, shown_in_tile
 from tilewright.signals.textures.patchwork import Patchwork, stack
 from tilewright.signals.textures.plan import Plan
-from tilewright.signals.textures.search import PatchSearch, Place
+from tilewright.signals.textures.search import Opening, PatchSearch, Place
 
 
 def lay_squares(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Patchwork:
@@ -46,9 +46,8 @@ def lay_ng(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Patchwo
         canvas = join_edges(frame, [edges[e] for e in sides])
         shown = shown_in_tile(frame, plan, tile, corners, [[] for _ in edges])
         sources = plan.sources_of_tile(tile)
-        canvas, place = search.lay(
-            f"center:{tile}", canvas, state, even(frame), sources, shown, centers, plain=False
-        )
+        opening = Opening(canvas, state, even(frame), sources, shown, centers)
+        canvas, place = search.lay(f"center:{tile}", opening)
         tiles.append(canvas)
         centers.append(place)
     return stack(tiles)

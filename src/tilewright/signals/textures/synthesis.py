@@ -116,7 +116,7 @@ def synthesize(
     rng = np.random.default_rng(seed)
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
         lay, total = _method(method, tiles, len(exemplar.sources))
-        search = PatchSearch(sheet, size, ledger, regularity.shortest_period, pool, progress, total)
+        search = PatchSearch(sheet, size, ledger, regularity.shortest_period, pool, progress, total, rng)
         canvas = lay(search, rng)
     unknown = (set(ledger.picked) | set(ledger.rejected)) - set(ledger.laid)
     if unknown:
