@@ -51,6 +51,22 @@ def test_from_photograph_to_picture_page_and_figures(photo, folder, tmp_path, ca
     assert (code, json.loads(out.out)["bytes"]) == (0, (tmp_path / "v.html").stat().st_size)
 
 
+def test_a_gray_map_steers_a_two_source_set(photo, tmp_path):
+    second = tmp_path / "second.png"
+    tw.write_image(second, 255 - tw.read_image(photo))
+    assert (
+        call("texture", photo, "-o", tmp_path / "t", "--second", second, "--tile-size", 32, "--colors", 2)[0]
+        == 0
+    )
+    tw.write_image(tmp_path / "map.png", np.array([[[0] * 3, [255] * 3]], np.uint8))
+    assert call("render", tmp_path / "t", "-o", tmp_path / "a.png", "--density", tmp_path / "map.png",
+                "--cells-per-pixel", 4, "--width", 256, "--height", 64)[0] == 0  # fmt: skip
+    material = tw.load(tmp_path / "t")
+    tiling = tw.density_tiling(material.tiles, np.array([[0.0, 1.0]]), cells_per_pixel=4)
+    wanted = tw.TextureField(material, tiling).render(0, 0, 256, 64)
+    assert np.array_equal(tw.read_image(tmp_path / "a.png"), wanted)
+
+
 def test_the_same_seed_gives_the_same_folder(photo, folder, tmp_path):
     assert (
         call("texture", photo, "-o", tmp_path / "t", "--tile-size", 32, "--seed", 1, "--threads", 1)[0] == 0

@@ -275,6 +275,14 @@ def test_given_arrays_are_checked():
         tw.array_tiling(tiles, good + 10)
 
 
+def test_stochastic_is_direct_where_it_can():
+    assert tw.stochastic(tw.corner_tiles(2), 1, 1, 5).indices(-9, 2**40, 7, 7).shape == (7, 7)
+    laid = tw.stochastic(tw.cohen_tiles(12), 9, 8, 5)
+    assert np.array_equal(
+        laid.indices(0, 0, 9, 8), tw.scanline(tw.cohen_tiles(12), 9, 8, 5).indices(0, 0, 9, 8)
+    )
+
+
 def test_density():
     tiles = tw.corner_tiles(4)
     ramp = tw.density_tiling(tiles, lambda x, y: np.clip(x / 100, 0, 1), 3)

@@ -45,6 +45,7 @@ _HOME = {
     "direct": "tilings",
     "packing": "tilings",
     "scanline": "tilings",
+    "stochastic": "tilings",
     "Exemplar": "signals.textures",
     "TextureTiles": "signals.textures",
     "find_regularity": "signals.textures",

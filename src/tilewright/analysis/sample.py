@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.errors import check_int
 from tilewright.signals.textures import TextureTiles
-from tilewright.tilings import direct, scanline
-from tilewright.tilings.direct import recognize
+from tilewright.tilings import stochastic
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +62,4 @@ class Sample:
 def lay_sample(material: TextureTiles, cells: int = 12, seed: int = 0) -> Sample:
     """A random piece of n x n cells, laid directly where the set allows it and by scanline otherwise."""
     n = check_int("cells", cells, 4, 64)
-    if recognize(material.tiles) is not None:
-        return Sample(material, direct(material.tiles, seed).indices(0, 0, n, n))
-    return Sample(material, scanline(material.tiles, n, n, seed).indices(0, 0, n, n))
+    return Sample(material, stochastic(material.tiles, n, n, seed).indices(0, 0, n, n))

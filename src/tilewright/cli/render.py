@@ -2,11 +2,14 @@
 
 import time
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from tilewright.cli.options import Folder, Json, LatticeSeed, Map, Seed, progress_bar, report
+
+if TYPE_CHECKING:
+    from tilewright.tilings import Tiling
 
 
 def command(
@@ -19,6 +22,10 @@ def command(
     x: Annotated[int, typer.Option(help="West pixel; any place of the endless plane.")] = 0,
     y: Annotated[int, typer.Option(help="North pixel.")] = 0,
     map: Map = None,
+    density: Annotated[
+        Path | None, typer.Option(help="Gray picture that steers where a two-source set shows the second.")
+    ] = None,
+    cells_per_pixel: Annotated[float, typer.Option(help="Tiles along a pixel of --density.")] = 1.0,
     lattice_seed: LatticeSeed = 0,
     seed: Seed = 0,
     json: Json = False,
@@ -26,18 +33,25 @@ def command(
     """Render a window of the endless plane.
 
     Example: tilewright render moss -o wall.tif --x -1000 --width 65536 --height 65536
+    Example: tilewright render both -o path.png --density path-map.png --width 8192 --height 8192
 
-    Calls tilewright.TextureField(material, tilewright.direct(material.tiles, lattice_seed)).save(...). Sets
-    without a direct tiling are laid by tilewright.scanline, from cell (0, 0) on. Nothing here depends
-    on --seed: it is the seed of construction.
+    Calls tilewright.TextureField(material, tiling).save(...); the tiling is
+    tilewright.stochastic(material.tiles, ...): the plane is endless where the set has a direct tiling, and
+    starts at cell (0, 0) where it has not. With --density it is tilewright.density_tiling(material.tiles,
+    gray, ...). Nothing here depends on --seed: it is the seed of construction.
     """
-    from tilewright.cli.laying import lay
     from tilewright.fields import TextureField
-    from tilewright.files import load
+    from tilewright.files import load, read_image
+    from tilewright.tilings import density_tiling, stochastic
 
     started = time.perf_counter()
     material = load(folder)
-    tiling = lay(material, lattice_seed, x + width, y + height)
+    if density is not None:
+        gray = read_image(density)
+        tiling: Tiling = density_tiling(material.tiles, gray, lattice_seed, cells_per_pixel=cells_per_pixel)
+    else:
+        right, bottom = (max(1, -(-end // material.tile_size)) for end in (x + width, y + height))
+        tiling = stochastic(material.tiles, right, bottom, lattice_seed)
     with progress_bar() as progress:
         TextureField(material, tiling).save(output, x, y, width, height, map=map, progress=progress)
     seconds = time.perf_counter() - started

@@ -6,6 +6,7 @@ from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import LatticeHash, LongPeriodHash, MixerHash, PermutationHash
 from tilewright.tilings.packing import Packing, packing
 from tilewright.tilings.scanline import scanline
+from tilewright.tilings.stochastic import stochastic
 from tilewright.tilings.tiling import ArrayTiling, Tiling, array_tiling, first_mismatch
 
 __all__ = [
@@ -25,4 +26,5 @@ __all__ = [
     "first_mismatch",
     "packing",
     "scanline",
+    "stochastic",
 ]

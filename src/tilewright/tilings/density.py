@@ -75,8 +75,9 @@ def density_tiling(
         A complete corner set over 2 colors or more, or a corner-coded set with all 16 marks (128 tiles over
         Cohen's 8).
     density : function or 2D array
-        ``f(x, y)`` of lattice points (arrays of float) that returns the probability, 0 to 1; or a gray map:
-        floats 0 to 1, or integers of their type's range. Pixel (0, 0) of a map covers the cells from (0, 0).
+        ``f(x, y)`` of lattice points (arrays of float) that returns the probability, 0 to 1; or a gray map,
+        shape (h, w) or (h, w, channels), whose colors are averaged and alpha ignored: floats 0 to 1, or
+        integers of their type's range. Pixel (0, 0) of a map covers the cells from (0, 0).
     seed : int
     cells_per_pixel : float
         Size of a map's pixels in cells; values between pixel centers are interpolated.
@@ -101,19 +102,22 @@ def density_tiling(
 
 def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
     map_ = np.asarray(given)
-    if map_.ndim == 3 and map_.shape[2] == 1:
-        map_ = map_[..., 0]
-    if map_.ndim != 2 or map_.size == 0:
-        raise TilewrightValueError(f"the density map has shape {map_.shape}; expected (height, width)")
-    if map_.dtype.kind == "u":
-        return map_ / np.iinfo(map_.dtype).max
-    if map_.dtype.kind == "b":
-        return map_.astype(float)
-    if map_.dtype.kind != "f":
+    if map_.ndim == 2:
+        map_ = map_[..., np.newaxis]
+    if map_.ndim != 3 or not 1 <= map_.shape[2] <= 4 or map_.size == 0:
+        raise TilewrightValueError(
+            f"the density map has shape {np.shape(given)}; expected (height, width) or "
+            "(height, width, channels) with 1 to 4 channels"
+        )
+    if map_.dtype.kind not in "ubf":
         raise TilewrightTypeError(
             f"the density map has type {map_.dtype}; allowed are floats, bool and unsigned integers"
         )
-    values = map_.astype(float)
+    # Gray is the mean of the colors; alpha (the last of 2 or 4 channels) says nothing.
+    colors = map_[..., : 1 if map_.shape[2] < 3 else 3]
+    values = colors.mean(axis=2, dtype=np.float64)
+    if map_.dtype.kind == "u":
+        return values / np.iinfo(map_.dtype).max
     if not ((values >= 0) & (values <= 1)).all():
         raise TilewrightValueError("the density map has values outside 0 to 1 (or NaN)")
     return values

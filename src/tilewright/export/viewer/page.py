@@ -22,7 +22,7 @@ from tilewright.export.display import is_light, screen_bytes, to_linear
 from tilewright.files.whole import whole_file
 from tilewright.signals.textures import TextureTiles
 from tilewright.tiles import TileSet
-from tilewright.tilings import direct, scanline
+from tilewright.tilings import stochastic
 from tilewright.tilings.direct import recognize
 
 BAKED_CELLS = 256
@@ -131,8 +131,7 @@ def describe_tiling(tiles: TileSet, seed: int) -> dict[str, Any]:
     algorithm = recognize(tiles)
     if algorithm not in _IN_SHADER:
         side = BAKED_CELLS
-        tiling = direct(tiles, seed) if algorithm else scanline(tiles, side, side, seed)
-        cells = tiling.indices(0, 0, side, side)
+        cells = stochastic(tiles, side, side, seed).indices(0, 0, side, side)
         return {"algorithm": "baked", "radices": [0] * 4, "cells": _table(cells)}
     colors = dict(zip(tiles.shape.slots, tiles.colors, strict=True))
     radices = [colors.get(slot, 1) for slot in ("N", "E")] + [0, colors.get("NW", 1)]

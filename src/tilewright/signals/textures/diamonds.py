@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
-from tilewright.signals.textures.corners import integer_features, squared_distances
+from tilewright.signals.textures.corners import PLAINNESS, SHOWN, integer_features, squared_distances
 from tilewright.signals.textures.frame import Frame
 from tilewright.signals.textures.nested import even, inside_border, lay_center_patch
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
@@ -44,7 +44,7 @@ def lay_burke(search: PatchSearch, tiles: TileSet, rng: np.random.Generator) -> 
 def lay_diamonds_with_centers(search: PatchSearch, tiles: TileSet, rng: np.random.Generator) -> Patchwork:
     """Cohen's diamonds under a patch of its own in the middle of each tile."""
     frame = Frame(search.size)
-    samples = choose_samples(search, tiles, rng)
+    samples = choose_samples(search, tiles, rng, PLAINNESS)
     canvases: list[Patchwork] = []
     centers: list[Place] = []
     for tile, slots in enumerate(tiles.slots):
@@ -70,11 +70,14 @@ class Samples:
         return y + dy, x + dx
 
 
-def choose_samples(search: PatchSearch, tiles: TileSet, rng: np.random.Generator) -> Samples:
+def choose_samples(
+    search: PatchSearch, tiles: TileSet, rng: np.random.Generator, plainness: float = 0.0
+) -> Samples:
     """Sets of samples are improved one sample at a time until the total misfit no longer falls.
 
     The misfit of a horizontal and a vertical sample is their squared distance along the four
-    half-diagonals where they can meet; every pair meets in a complete set and in Cohen's sets.
+    half-diagonals where they can meet; every pair meets in a complete set and in Cohen's sets. With
+    ``plainness``, conspicuous samples are marked down.
     """
     y, x = search.matcher.places((0,)).nonzero()
     if not len(y):
@@ -102,7 +105,12 @@ def choose_samples(search: PatchSearch, tiles: TileSet, rng: np.random.Generator
         for ry, rx in search.ledger.rejected.get(name, ()):
             barred[slot] |= (y - ry) ** 2 + (x - rx) ** 2 < (search.size / 4) ** 2
     near = (y[:, None] - y) ** 2 + (x[:, None] - x) ** 2 < (search.size / 2) ** 2
-    chosen = _improve(_misfit(search, y, x), near, barred, counts, fixed, rng)
+    misfit = _misfit(search, y, x)
+    if plainness and search.period is None:
+        half, side = search.size // 2, round(SHOWN * search.size)
+        penalty = 1 + plainness * search.conspicuous_at(y + half, x + half, side)
+        misfit *= (penalty[:, None] + penalty) / 2
+    chosen = _improve(misfit, near, barred, counts, fixed, rng)
     for name, sample in zip(names, chosen, strict=True):
         search.ledger.laid[name] = (int(y[sample]), int(x[sample]))
         search.step(name)
