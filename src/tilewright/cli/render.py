@@ -33,6 +33,7 @@ def command(
     """Render a window of the endless plane.
 
     Example: tilewright render moss -o wall.tif --x -1000 --width 65536 --height 65536
+
     Example: tilewright render both -o path.png --density path-map.png --width 8192 --height 8192
 
     Calls tilewright.TextureField(material, tiling).save(...); the tiling is
