@@ -30,7 +30,7 @@ APART = 1 / 16
 """Least distance between candidates, in tiles."""
 TONE_SIGMA = 1 / 5
 """Low-pass that leaves the tone, in tiles."""
-TONE = 4.0
+TONE = 2.0
 """What a difference of one standard deviation in tone counts, in variances of the exemplar."""
 RECURRENCE_BAND = 0.15
 """Towards a canvas's border the price of recurrence falls to nothing over this width, in tiles: a cut that
