@@ -83,3 +83,32 @@ def test_hashes_repeat_the_tiling():
         cells = tiling.indices(0, 0, 20, 20)
         assert np.array_equal(cells, tiling.indices(period, -period, 20, 20))
         assert all(not np.array_equal(cells, tiling.indices(p, 0, 20, 20)) for p in range(1, period))
+
+
+@pytest.mark.parametrize("name", ["mixer", "permutation", "long-period"])
+@pytest.mark.parametrize("count", [2, 3, 5, 7, 16])
+def test_colors_are_even_for_any_number_of_them(name, count):
+    hash_ = {"mixer": tw.MixerHash, "permutation": tw.PermutationHash, "long-period": tw.LongPeriodHash}[
+        name
+    ](4)
+    colors = hash_.grid(count, 0, np.arange(256), np.arange(0, 1000 * 2**20, 2**20))
+    counts = np.bincount(colors.ravel(), minlength=count)
+    assert len(counts) == count
+    assert counts.min() > 0.97 * counts.mean()
+
+
+@pytest.mark.parametrize(
+    ("ask", "message"),
+    [
+        (lambda h: h.words(0, 1.5), "x must hold integers"),
+        (lambda h: h.words(0, 1, 2**63), "y holds 9223372036854775808"),
+        (lambda h: h.words(-1, 1), "stream is -1"),
+        (lambda h: h.words(2**32, 1), "stream is 4294967296"),
+        (lambda h: h.colors(0, 0, 1), "count is 0"),
+        (lambda h: h.colors(257, 0, 1), "count is 257"),
+    ],
+)
+@pytest.mark.parametrize("made", [tw.MixerHash, tw.PermutationHash, tw.LongPeriodHash])
+def test_bad_points_get_one_clear_line(made, ask, message):
+    with pytest.raises(tw.TilewrightError, match=message):
+        ask(made(1))

@@ -57,3 +57,11 @@ def test_the_wang_packing_nests_the_one_over_a_color_less(c):
     assert np.array_equal(
         big.tiles.slots[big.indices(0, 0, n, n)], small.tiles.slots[small.indices(0, 0, n, n)]
     )
+
+
+def test_cells_beyond_64_bits_are_refused():
+    with pytest.raises(tw.TilewrightError, match=r"x holds 9223372036854775813"):
+        tw.packing(tw.corner_tiles(3)).tile(2**63 + 5, 0)
+    for make in (tw.packing, tw.direct, tw.stochastic):
+        with pytest.raises(tw.TilewrightError, match="must be a TileSet"):
+            make(5, 1, 1) if make is tw.stochastic else make(5)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.shape import CORNER_CUBE, WANG_CUBE, Shape
-from tilewright.tiles.tileset import TileSet, as_integers, check_colors, decode, encode
+from tilewright.tiles.tileset import TileSet, as_slots, check_colors, decode, encode
 
 _MOST_LISTED = 2**24
 _NWU, _SED = CORNER_CUBE.slot("NWU"), CORNER_CUBE.slot("SED")
@@ -61,7 +61,7 @@ class RuledTileSet(TileSet):
 
     def find(self, slots: ArrayLike) -> NDArray[np.int64]:
         """Indices of the tiles with the given colors, shape (..., S); -1 where the set has no such tile."""
-        asked = as_integers("slots", slots).astype(np.int64)
+        asked = as_slots(slots, len(self.colors)).astype(np.int64)
         digits = self._to_digits(asked, self.colors[0])
         valid = (digits >= 0) & (digits < np.array(self._radices))
         index = encode(np.where(valid, digits, 0), self._radices)
@@ -98,9 +98,10 @@ def compact_corner_cubes(colors: int = 2) -> TileSet:
 def compact_wang_cubes(colors: int = 2) -> TileSet:
     """2 C^3 Wang cubes: two for each way the N, W and U faces can be.
 
-    S = 2 N + b, E = 2 W + b and D = 2 U + b modulo C for b = 0 and 1. Over two colors 16 cubes thus suffice
-    to fill space non-periodically, where Cohen et al. 2003, section 5, speak of 32. Where C is a power of
-    two the set has a direct tiling from one bit per cube.
+    S = 2 N + b, E = 2 W + b and D = 2 U + b modulo C for b = 0 and 1. Only in this order is there always a
+    choice: for even C most ways the S, E and D faces could be do not occur. Over two colors 16 cubes thus
+    suffice to fill space non-periodically, where Cohen et al. 2003, section 5, speak of 32. Where C is a
+    power of two the set has a direct tiling from one bit per cube.
     """
     c = check_colors(colors)
     return RuledTileSet(WANG_CUBE, c, "compact", (c, c, c, min(c, 2)), _bit_to_faces, _faces_to_bit)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError, check_int
 from tilewright.tiles.shape import CORNER, CORNER_CODED, CORNER_CUBE, DOMINO, WANG, WANG_CUBE, Shape
-from tilewright.tiles.tileset import TileSet, check_colors, decode
+from tilewright.tiles.tileset import TileSet, check_colors, check_tiles, decode
 
 
 def _complete(shape: Shape, radices: tuple[int, ...]) -> TileSet:
@@ -140,7 +140,7 @@ def corner_coded_tiles(base: TileSet | None = None, *, scanline_only: bool = Fal
         fourth may follow from them and the edges. Here the SE mark is the parity of the other marks and of
         the tile's rank among those with the same N and W edges, which leaves the choice random.
     """
-    base = cohen_tiles(8) if base is None else base
+    base = cohen_tiles(8) if base is None else check_tiles("base", base)
     if base.shape is not WANG:
         raise TilewrightValueError(f"base must be a set of Wang tiles, not of {base.shape.name} ones")
     marks = decode(np.arange(16), (2,) * 4)
@@ -184,7 +184,7 @@ def as_wang_tiles(corners: TileSet) -> TileSet:
 
     The color of an edge whose ends are a (west or north) and b is a C + b (Lagae 2007, section 2.9).
     """
-    if corners.shape is not CORNER:
+    if check_tiles("corners", corners).shape is not CORNER:
         raise TilewrightValueError(
             f"only corner sets have an equivalent Wang set, not {corners.shape.name} ones"
         )

@@ -109,7 +109,7 @@ class TileSet:
 
     def find(self, slots: ArrayLike) -> NDArray[np.int64]:
         """Indices of the tiles with the given colors, shape (..., S); -1 where the set has no such tile."""
-        asked = as_integers("slots", slots)
+        asked = as_slots(slots, len(self.colors))
         codes = self.codes
         order = np.argsort(codes)
         valid = (asked >= 0) & (asked < np.array(self.colors))
@@ -150,21 +150,42 @@ def _radices(shape: Shape, table: NDArray[Any]) -> tuple[int, ...]:
 
 
 def as_integers(name: str, given: ArrayLike) -> NDArray[Any]:
-    """An array of integers, or one clear line."""
+    """An array of integers that fit into int64, or one clear line."""
     try:
         values = np.asarray(given)
     except ValueError:
         raise TilewrightValueError(f"{name} is not a table of equally long rows") from None
+    if values.size == 0 and values.dtype == np.float64:  # an empty list has no type of its own
+        values = values.astype(np.int64)
+    if values.dtype == object and all(isinstance(v, int) for v in values.flat):
+        raise TilewrightValueError(f"{name} holds integers beyond 64 bits; allowed are -2^63 to 2^63 - 1")
     if values.dtype.kind not in "iu":
         raise TilewrightTypeError(f"{name} must hold integers, not {values.dtype}")
+    if values.dtype == np.uint64 and values.size and values.max() >= 2**63:
+        raise TilewrightValueError(f"{name} holds {values.max()}; allowed are -2^63 to 2^63 - 1")
     return values
+
+
+def check_tiles(name: str, given: Any) -> "TileSet":
+    """``given`` if it is a tile set."""
+    if not isinstance(given, TileSet):
+        raise TilewrightTypeError(
+            f"{name} must be a TileSet, such as corner_tiles(2), not {type(given).__name__}"
+        )
+    return given
+
+
+def as_slots(given: ArrayLike, count: int) -> NDArray[Any]:
+    """Colors of ``count`` slots along the last axis."""
+    table = as_integers("slots", given)
+    if table.ndim == 0 or table.shape[-1] != count:
+        raise TilewrightValueError(f"slots has shape {table.shape}; its last axis must be {count} long")
+    return table
 
 
 def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
     """Mixed-radix number of the colors along the last axis (Lagae 2007, eq. 2.2 and 2.5)."""
-    table = as_integers("slots", slots)
-    if table.ndim == 0 or table.shape[-1] != len(colors):
-        raise TilewrightValueError(f"slots has shape {table.shape}; its last axis must be {len(colors)} long")
+    table = as_slots(slots, len(colors))
     if ((table < 0) | (table >= np.array(colors))).any():
         raise TilewrightValueError(f"slots holds colors outside 0 up to {tuple(colors)}")
     code = np.zeros(table.shape[:-1], np.int64)
@@ -176,6 +197,8 @@ def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
 def decode(codes: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.uint8]:
     """Colors of each slot along a new last axis (Lagae 2007, eq. 2.4 and 2.7)."""
     rest = as_integers("codes", codes)
+    if not colors or min(colors) < 1:
+        raise TilewrightValueError(f"colors is {tuple(colors)}; every slot needs at least 1 color")
     most = prod(int(c) for c in colors)
     if rest.size and (rest.min() < 0 or rest.max() >= most):
         raise TilewrightValueError(

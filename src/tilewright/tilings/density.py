@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice, check_real
 from tilewright.tiles import CORNER, CORNER_CODED, TileSet
+from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.algorithms import Lattice, Slots, corner_slots, evaluate
 from tilewright.tilings.direct import SlotTiling, recognize
 from tilewright.tilings.domain import Domain
@@ -84,7 +85,7 @@ def density_tiling(
     outside : str
         ``"clamp"`` repeats the map's border, ``"repeat"`` the map.
     """
-    algorithm = recognize(tiles)
+    algorithm = recognize(check_tiles("tiles", tiles))
     if not (
         (tiles.shape is CORNER and algorithm == "corners" and tiles.colors[0] > 1)
         or (tiles.shape is CORNER_CODED and algorithm is not None)

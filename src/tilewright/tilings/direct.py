@@ -23,7 +23,7 @@ from tilewright.tiles import (
     summed_wang_tiles,
 )
 from tilewright.tiles.cubes import RuledTileSet
-from tilewright.tiles.tileset import MOST_FAMILY_COLORS
+from tilewright.tiles.tileset import MOST_FAMILY_COLORS, check_tiles
 from tilewright.tilings.algorithms import Lattice, Slots, evaluate
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import LatticeHash, MixerHash, make_hash, split_row
@@ -126,7 +126,9 @@ def direct(
         ``"mixer"`` (no period), ``"permutation"``, ``"long-period"``, or a hash object, which has its own
         seed.
     period : tuple of (int or None), x first, optional
-        Cells after which the tiling repeats along each axis, for cylinders and tori.
+        Cells after which the tiling repeats along each axis, 1 to 2^31, for cylinders and tori. Sums of
+        corner colors (``"two-hashes"``, `summed_wang_tiles`) are bound by the ring they close, see
+        ``docs/tilings.md``.
     wang : str
         For complete Wang sets: ``"edge-hash"`` (one hash at the edges; Lagae 2007, section 3.3.2.3) or
         ``"two-hashes"`` (sums of corner colors; section 3.3.2.1).
@@ -141,6 +143,7 @@ def direct(
         No direct algorithm goes with the set, or a period closes the chains of a compact corner set after
         too few steps.
     """
+    check_tiles("tiles", tiles)
     check_int("seed", seed, 0, 2**64 - 1)
     check_choice("wang", wang, ("edge-hash", "two-hashes"))
     algorithm = recognize(tiles)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
+from tilewright.tiles.tileset import as_integers
 
 Coordinates = NDArray[np.int64]
 
@@ -33,8 +34,14 @@ class LatticeHash(ABC):
         """How many values `words` takes."""
 
     def colors(self, count: int, stream: int, *point: ArrayLike) -> NDArray[np.uint8]:
-        """Colors 0 up to ``count`` at lattice points x (, y, z); the coordinates are broadcast."""
-        return (self.words(stream, *point) % count).astype(np.uint8)
+        """Colors 0 up to ``count`` at lattice points x (, y, z); the coordinates are broadcast.
+
+        The word modulo ``count`` where that divides `range` (Lagae 2007, section 3.4.2), else a number
+        from several words, so that all colors are alike.
+        """
+        if self.range % count_colors(count) == 0:
+            return (self.words(stream, *point) % count).astype(np.uint8)
+        return ((self.numbers(stream, *point) * count) >> 24).astype(np.uint8)
 
     def grid(self, count: int, stream: int, *axes: Coordinates) -> NDArray[np.uint8]:
         """Colors of the grid of columns x (, rows y, layers z), shape (len(x),) to (z, y, x)."""
@@ -73,14 +80,13 @@ class MixerHash(LatticeHash):
     ) -> NDArray[np.int64]:
         from tilewright.kernels.lattice import fill_words
 
-        given = (np.asarray(0 if c is None else c, np.int64) for c in (x, y, z))
-        points = np.broadcast_arrays(*given)
+        points = np.broadcast_arrays(*check_point(stream, x, y, z))
         out = np.empty(points[0].size, np.uint32)
         fill_words(*(np.ascontiguousarray(p).ravel() for p in points), stream, self.seed, out)
         return out.astype(np.int64).reshape(points[0].shape)
 
     def colors(self, count: int, stream: int, *point: ArrayLike) -> NDArray[np.uint8]:
-        return (((self.words(stream, *point) >> 8) * count) >> 24).astype(np.uint8)
+        return (((self.words(stream, *point) >> 8) * count_colors(count)) >> 24).astype(np.uint8)
 
     def grid(self, count: int, stream: int, *axes: Coordinates) -> NDArray[np.uint8]:
         from tilewright.kernels.lattice import fill_colors
@@ -94,6 +100,21 @@ class MixerHash(LatticeHash):
 
     def numbers(self, stream: int, *point: ArrayLike) -> NDArray[np.int64]:
         return self.words(stream, *point) >> 8
+
+
+def count_colors(count: int) -> int:
+    """A number of colors a hash can give."""
+    return check_int("count", count, 1, 256)
+
+
+def check_point(
+    stream: int, x: ArrayLike, y: ArrayLike | None, z: ArrayLike | None
+) -> tuple[Coordinates, Coordinates, Coordinates]:
+    """Coordinates of lattice points as int64; those not given are 0."""
+    check_int("stream", stream, 0, 2**32 - 1)
+    named = zip("xyz", (x, y, z), strict=True)
+    found = [as_integers(name, 0 if c is None else c).astype(np.int64) for name, c in named]
+    return found[0], found[1], found[2]
 
 
 def split_row(x: Coordinates) -> tuple[NDArray[np.uint32], NDArray[np.int64], NDArray[np.int64]]:
@@ -146,11 +167,11 @@ class PermutationHash(LatticeHash):
     def words(
         self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
     ) -> NDArray[np.int64]:
+        first, *others = check_point(stream, x, y, z)[: 1 + (y is not None) + (z is not None)]
         table, n = self.table(stream), self.size
-        value = table[np.asarray(x, np.int64) % n]
-        for coordinate in (y, z):
-            if coordinate is not None:
-                value = table[(value + np.asarray(coordinate, np.int64) % n) % n]
+        value = table[first % n]
+        for coordinate in others:
+            value = table[(value + coordinate % n) % n]
         return value
 
 

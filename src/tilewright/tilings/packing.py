@@ -22,7 +22,7 @@ from tilewright.tiles import (
     TileSet,
     encode,
 )
-from tilewright.tiles.tileset import as_integers
+from tilewright.tiles.tileset import as_integers, check_tiles
 from tilewright.tilings.algorithms import Slots, corner_slots
 from tilewright.tilings.direct import SlotTiling
 from tilewright.tilings.domain import Domain, fold
@@ -112,7 +112,7 @@ def packing(tiles: TileSet) -> Packing:
     5.5.2); its north-west part is the packing over one color less. The corner packing solves for every
     number of colors what sections 5.5.3 and 6.2 (2006) search for.
     """
-    if not tiles.is_complete or tiles.shape is CORNER_CODED:
+    if not check_tiles("tiles", tiles).is_complete or tiles.shape is CORNER_CODED:
         raise TilewrightValueError(
             f"packings are for complete sets of corner tiles, Wang tiles, dominoes and cubes, "
             f"not for the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles"

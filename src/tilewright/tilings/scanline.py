@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError, check_int
 from tilewright.tiles import TileSet
+from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.hashes import MixerHash
 from tilewright.tilings.tiling import ArrayTiling
 
@@ -43,7 +44,7 @@ def scanline(tiles: TileSet, width: int, height: int = 1, seed: int = 0, *, dept
     TilewrightValueError
         No tile fits at some cell: the message names the cell and the colors that were asked for.
     """
-    dimension = tiles.shape.dimension
+    dimension = check_tiles("tiles", tiles).shape.dimension
     named = (("width", width), ("height", height), ("depth", depth))
     extent = [
         check_int(name, count, 1, 65536 if axis < dimension else 1, f"the tiles are {tiles.shape.name} tiles")

@@ -1,6 +1,7 @@
 """A random tiling of any set: direct where that is known, by scanline where it is not."""
 
 from tilewright.tiles import TileSet
+from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.direct import direct, recognize
 from tilewright.tilings.scanline import scanline
 from tilewright.tilings.tiling import Tiling
@@ -23,4 +24,5 @@ def stochastic(tiles: TileSet, width: int, height: int = 1, seed: int = 0) -> Ti
     TilewrightValueError
         As `scanline` does.
     """
-    return direct(tiles, seed) if recognize(tiles) is not None else scanline(tiles, width, height, seed)
+    known = recognize(check_tiles("tiles", tiles)) is not None
+    return direct(tiles, seed) if known else scanline(tiles, width, height, seed)

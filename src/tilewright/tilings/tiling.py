@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles import TileSet
-from tilewright.tiles.tileset import as_integers
+from tilewright.tiles.tileset import as_integers, check_tiles
 from tilewright.tilings.domain import Domain
 
 _MOST_TILES = 2**31
@@ -138,4 +138,4 @@ def first_mismatch(tiles: TileSet, cells: NDArray[Any], *, torus: bool) -> str |
 
 def array_tiling(tiles: TileSet, indices: ArrayLike, *, torus: bool = False) -> ArrayTiling:
     """A tiling from a given array of tile indices, checked; see `ArrayTiling`."""
-    return ArrayTiling(tiles, indices, torus=torus)
+    return ArrayTiling(check_tiles("tiles", tiles), indices, torus=torus)
