@@ -64,6 +64,6 @@ def check_real(name: str, value: Any, low: float, high: float) -> float:
 
 def check_choice(name: str, value: Any, choices: tuple[str, ...]) -> str:
     """``value`` if it is one of the words in ``choices``."""
-    if value not in choices:
+    if not isinstance(value, str) or value not in choices:
         raise TilewrightValueError(f"{name} is {value!r}; allowed are {', '.join(choices)}")
     return str(value)

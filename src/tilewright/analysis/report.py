@@ -11,8 +11,8 @@ from tilewright.analysis.repetition import lattice_share, same_place_share, tile
 from tilewright.analysis.sample import Sample, lay_sample
 from tilewright.analysis.seams import cut_line_ratio, edge_cut_share, tone_step_ratio, worst_tile_ratio
 from tilewright.analysis.structure import seam_novelty, used_share
-from tilewright.errors import Progress
-from tilewright.files.whole import whole_file
+from tilewright.errors import Progress, TilewrightTypeError, check_choice, check_int
+from tilewright.files.whole import as_path, check_file, whole_file
 from tilewright.signals.textures import TextureTiles
 
 if TYPE_CHECKING:
@@ -91,9 +91,18 @@ class Report:
         return figure
 
     def save_sheet(self, path: str | Path) -> None:
-        """Write the sheet as a picture; the suffix says which kind."""
+        """Write the sheet as a picture: PNG, JPEG, SVG or PDF."""
+        path = check_sheet(path)
         with whole_file(path) as unfinished:
-            self.sheet().savefig(unfinished, dpi=110)
+            self.sheet().savefig(unfinished, dpi=110, format=path.suffix[1:].lower())
+
+
+def check_sheet(path: str | Path) -> Path:
+    """Where a sheet can be written; an error where not, before the work is done."""
+    path = as_path(path)
+    check_choice("the sheet's suffix", path.suffix.lower(), (".png", ".jpg", ".jpeg", ".svg", ".pdf"))
+    check_file(path)
+    return path
 
 
 def analyze(
@@ -109,6 +118,9 @@ def analyze(
     seed : int
         Seed of the tiling and of the patches that are compared.
     """
+    if not isinstance(material, TextureTiles):
+        raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+    seed = check_int("seed", seed, 0, 2**64 - 1)
     sample = lay_sample(material, cells, seed)
     figures: dict[str, float] = {}
 

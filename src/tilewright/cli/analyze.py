@@ -23,8 +23,11 @@ def command(
     Calls tilewright.analyze(material, seed=seed) and its save_sheet(path).
     """
     from tilewright.analysis import analyze
+    from tilewright.analysis.report import check_sheet
     from tilewright.files import load
 
+    if output is not None:
+        check_sheet(output)
     with progress_bar() as progress:
         found = analyze(load(folder), seed=seed, progress=progress)
     if output is not None:

@@ -1,5 +1,7 @@
 """The command line: one module per command, errors as one line and exit code 2."""
 
+import os
+import signal
 import sys
 import warnings
 from typing import Annotated
@@ -9,6 +11,8 @@ import typer
 from tilewright import __version__
 from tilewright.cli import analyze, export, pack, render, texture, view
 from tilewright.errors import TilewrightError, TilewrightWarning
+
+_INTERRUPTED = 130
 
 app = typer.Typer(
     name="tilewright",
@@ -41,17 +45,43 @@ for command in (texture, render, view, analyze, pack, export):
     app.command(command.__name__.rsplit(".", 1)[-1])(command.command)
 
 
+def main() -> None:
+    """The program: `run`, in a process of its own."""
+    # C libraries print complaints of their own; only what this program says reaches the terminal.
+    sys.stderr = os.fdopen(os.dup(2), "w", buffering=1)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, 2)
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
+    for name in ("SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), _stop)
+    run()
+
+
+def _stop(number: int, frame: object) -> None:
+    """End as an interrupt does, so that what is half-written is removed."""
+    raise KeyboardInterrupt
+
+
 def run(arguments: list[str] | None = None) -> None:
     """Run a command; never show a traceback for what a user can mend."""
     warnings.showwarning = _show_warning  # type: ignore[assignment]
     try:
         code = app(arguments, standalone_mode=False)
+        sys.stdout.flush()
+        if code == _INTERRUPTED:
+            _say("stopped")
     except TilewrightError as error:
         code = _say(str(error))
     except MemoryError:
         code = _say("not enough memory; ask for a smaller tile size, fewer colors or a smaller window")
     except (KeyboardInterrupt, typer.Abort):
-        code = _say("stopped", 130)
+        code = _say("stopped", _INTERRUPTED)
+    except BrokenPipeError:
+        code = 1
+    except OSError as error:
+        code = _say(f"the output could not be written: {(error.strerror or str(error)).lower()}")
     except Exception as error:
         # Usage errors: their class comes from click or from typer's own copy of it.
         message = getattr(error, "format_message", None)

@@ -4,6 +4,7 @@ import json
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from math import isfinite
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -22,7 +23,8 @@ Map = Annotated[str | None, typer.Option("--map", help="Which map; the main one 
 
 def report(figures: dict[str, Any], as_json: bool, text: str) -> None:
     """Print what a command did: figures for programs, or a line for people."""
-    print(json.dumps(figures) if as_json else text)
+    finite = {n: None if isinstance(v, float) and not isfinite(v) else v for n, v in figures.items()}
+    print(json.dumps(finite) if as_json else text)
 
 
 @contextmanager

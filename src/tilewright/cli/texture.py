@@ -11,6 +11,7 @@ from tilewright.errors import TilewrightError, TilewrightTypeError, TilewrightVa
 
 
 def command(
+    context: typer.Context,
     photo: Annotated[
         Path | None, typer.Argument(help="The photograph; or give --map, or --from.", show_default=False)
     ] = None,
@@ -46,14 +47,19 @@ def command(
     tilewright.resynthesize(material, reject=..., pick=...).
     """
     from tilewright.files import load, save, texture_tiles
+    from tilewright.files.tileset_folder import check_savable
     from tilewright.signals.textures import resynthesize
 
     started = time.perf_counter()
+    check_savable(output)
     picked = {name: _spot(name, value) for name, value in parse_pairs("--pick", pick or []).items()}
     with progress_bar() as progress:
         if from_ is not None:
-            if photo is not None or map:
-                raise TilewrightValueError("--from takes the old set's photograph; leave PHOTO and --map out")
+            if kept := _given(context) - {"output", "from_", "reject", "pick", "threads", "json"}:
+                raise TilewrightValueError(
+                    f"--from makes the old set again, with its photograph and settings; leave out "
+                    f"{', '.join(sorted(kept))}"
+                )
             material = resynthesize(
                 load(from_), reject=reject or [], pick=picked, threads=threads, progress=progress
             )
@@ -64,6 +70,8 @@ def command(
             if maps is None:
                 raise TilewrightValueError("PHOTO is missing; give a photograph, or --map NAME=FILE")
             if photo is not None and map:
+                if "albedo" in maps:
+                    raise TilewrightValueError("albedo is given twice, as PHOTO and by --map; leave one out")
                 maps = {"albedo": str(photo)} | maps
             material = texture_tiles(
                 maps,
@@ -95,6 +103,12 @@ def command(
         f"{output}: {len(material.tiles)} {material.tiles.shape.name} tiles of {material.tile_size} x "
         f"{material.tile_size} pixels in {seconds:.1f} s",
     )
+
+
+def _given(context: typer.Context) -> set[str]:
+    """Names of the parameters that came from the command line."""
+    sources = ((name, context.get_parameter_source(name)) for name in context.params)
+    return {name for name, source in sources if source is not None and source.name == "COMMANDLINE"}
 
 
 def _tile_set(kind: str, colors: int | None, two_sources: bool) -> Any:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError, check_choice, check_int
 from tilewright.files.images import check_writable
 from tilewright.files.streams import stream_image
+from tilewright.files.whole import as_path
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Tiling
 from tilewright.tilings.domain import LARGEST_CELL
@@ -32,6 +33,11 @@ class TextureField:
     """
 
     def __init__(self, material: TextureTiles, tiling: Tiling) -> None:
+        if not isinstance(material, TextureTiles) or not isinstance(tiling, Tiling):
+            raise TilewrightTypeError(
+                f"a field takes TextureTiles and a Tiling, not {type(material).__name__} and "
+                f"{type(tiling).__name__}"
+            )
         ours, theirs = material.tiles, tiling.tiles
         if ours.shape is not theirs.shape or not np.array_equal(ours.slots, theirs.slots):
             raise TilewrightValueError(
@@ -106,7 +112,7 @@ class TextureField:
         appears when it is complete; raise `Cancelled` in ``progress`` to stop.
         """
         tiles = self._map(map)
-        check_writable(Path(path), tiles.dtype)
+        check_writable(as_path(path), tiles.dtype)
         self._cells("x", x, "width", width)
         self._cells("y", y, "height", height)
 
@@ -145,9 +151,10 @@ def _make_out(shape: tuple[int, ...], kind: np.dtype[Any]) -> NDArray[Any]:
 
 
 def _check_out(out: NDArray[Any], shape: tuple[int, ...], kind: np.dtype[Any]) -> None:
-    if not isinstance(out, np.ndarray):
+    if type(out) is not np.ndarray:
         raise TilewrightTypeError(f"out must be an array, not {type(out).__name__}")
     if out.shape != shape or out.dtype != kind or not (out.flags.c_contiguous and out.flags.writeable):
         raise TilewrightValueError(
-            f"out is {out.dtype} {out.shape}; expected {kind} {shape}, C-contiguous and writable"
+            f"out is {out.dtype} {out.shape}, C-contiguous: {out.flags.c_contiguous}, writable: "
+            f"{out.flags.writeable}; expected {kind} {shape}, C-contiguous and writable"
         )

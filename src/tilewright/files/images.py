@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
-from tilewright.files.whole import whole_file
+from tilewright.files.whole import as_path, whole_file
 
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float32, "float": np.float32}
 _MOST_CHANNELS = 4
@@ -27,7 +27,7 @@ def read_image(path: str | Path) -> NDArray[Any]:
     TilewrightFileError
         The file cannot be read, is not an image, is truncated, or has pixels of another kind.
     """
-    path = Path(path)
+    path = as_path(path)
     _check_readable(path)
     import OpenImageIO as oiio
 
@@ -125,7 +125,9 @@ def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
     PNG takes uint8 and uint16, TIFF all types, EXR float32; 1 to 4 channels. The file appears under its
     name only when it is complete.
     """
-    path = Path(path)
+    path = as_path(path)
+    if not isinstance(pixels, np.ndarray):
+        raise TilewrightTypeError(f"pixels must be an array, not {type(pixels).__name__}")
     kind = check_writable(path, pixels.dtype)
     if pixels.ndim != 3 or not 1 <= pixels.shape[2] <= _MOST_CHANNELS or 0 in pixels.shape:
         raise TilewrightValueError(

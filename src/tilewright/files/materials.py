@@ -38,7 +38,9 @@ def open_exemplar(
     weights : dict of map name to float, optional
         How much a map counts when patches are matched and cut.
     """
-    photos = [_open_maps(photo)] + ([] if second is None else [_open_maps(second)])
+    if second is None and second_mask is not None:
+        raise TilewrightValueError("second_mask is for a second photograph; give second too")
+    photos = [_open_maps(photo, "photo")] + ([] if second is None else [_open_maps(second, "second")])
     masks = [_open_mask(mask)] + ([] if second is None else [_open_mask(second_mask)])
     return Exemplar(photos, masks, weights)
 
@@ -83,12 +85,12 @@ def texture_tiles(
     return synthesize(exemplar, tiles, tile_size=tile_size, seed=seed, **options)
 
 
-def _open_maps(photo: Photo) -> dict[str, NDArray[Any]]:
+def _open_maps(photo: Photo, what: str) -> dict[str, NDArray[Any]]:
     if isinstance(photo, Mapping):
         if not photo:
-            raise TilewrightValueError("photo is an empty dict; at least one map is needed")
-        return {str(name): _open_map(picture, f"map {name!r}") for name, picture in photo.items()}
-    return {"albedo": _open_map(photo, "photo")}
+            raise TilewrightValueError(f"{what} is an empty dict; at least one map is needed")
+        return {name: _open_map(picture, f"map {name!r}") for name, picture in photo.items()}
+    return {"albedo": _open_map(photo, what)}
 
 
 def _open_map(picture: Picture, what: str) -> NDArray[Any]:
@@ -110,6 +112,10 @@ def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:
     pixels = _open(mask, "mask")
     if pixels.dtype == bool:
         return pixels
+    if pixels.dtype.kind not in "uf" or not np.isfinite(pixels).all():
+        raise TilewrightTypeError(
+            f"mask holds {pixels.dtype}; allowed are bool, unsigned integers, and floats without NaN"
+        )
     white = np.iinfo(pixels.dtype).max if pixels.dtype.kind == "u" else 1
     if pixels.ndim == 3:  # grey or color, either of them with alpha, which does not count
         pixels = pixels[..., : 1 if pixels.shape[2] < 3 else 3].mean(axis=2)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError, TilewrightValueError
 from tilewright.files.images import check_writable, first_line, png_fault
-from tilewright.files.whole import whole_file
+from tilewright.files.whole import as_path, whole_file
 
 TILE = 256
 """Side of a TIFF tile, and the most rows rendered at a time."""
@@ -29,7 +29,7 @@ def stream_image(
     scanlines. One block of about 16 MB is in memory, however wide and high the picture. The file appears
     when it is complete.
     """
-    path = Path(path)
+    path = as_path(path)
     name = check_writable(path, kind)
     if max(height, width) > _LARGEST_SIDE:
         raise TilewrightValueError(f"the picture is {width} x {height} pixels; at most 2^31 - 1 on a side")
@@ -109,7 +109,7 @@ def _write_scanlines(
 def _is_whole(path: Path, height: int) -> bool:
     """Whether a file just written is all there; the library does not always say that a disk was full."""
     if path.suffix.lower() == ".png":
-        return not png_fault(path)
+        return path.stat().st_size > 0 and not png_fault(path)
     import OpenImageIO as oiio
 
     source = oiio.ImageInput.open(str(path))

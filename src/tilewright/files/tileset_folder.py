@@ -13,14 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright import __version__
-from tilewright.errors import TilewrightError, TilewrightFileError
+from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightTypeError
 from tilewright.files.images import lossless_suffix, read_image, write_image
-from tilewright.files.whole import whole_folder
+from tilewright.files.whole import MANIFEST, as_path, check_folder, whole_folder
 from tilewright.signals.textures import TextureTiles
 from tilewright.tiles import TileSet, tile_set
 from tilewright.tiles.shape import Shape
 
-MANIFEST = "tileset.json"
 SCHEMA = 1
 _DROPPED_BY_SYSTEMS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
@@ -68,6 +67,8 @@ def save(material: TextureTiles, folder: str | Path) -> None:
     TilewrightFileError
         The folder cannot be written, or the disk is full; nothing half-written is left.
     """
+    if not isinstance(material, TextureTiles):
+        raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
     with whole_folder(folder, _objection) as unfinished:
         writer = _Writer(unfinished)
         count = len(material.tiles)
@@ -115,6 +116,11 @@ def save(material: TextureTiles, folder: str | Path) -> None:
         (unfinished / MANIFEST).write_bytes(text)
 
 
+def check_savable(folder: str | Path) -> None:
+    """Raise what `save` would raise before it writes anything, so that it is known before long work."""
+    check_folder(as_path(folder), _objection)
+
+
 def load(folder: str | Path) -> TextureTiles:
     """Read texture tiles from a folder, every file checked against its checksum.
 
@@ -124,7 +130,7 @@ def load(folder: str | Path) -> TextureTiles:
         There is no such folder, a file is missing or was changed, the manifest is damaged, newer than
         this program, or names a file outside the folder.
     """
-    folder = Path(folder)
+    folder = as_path(folder)
     if not os.path.isdir(folder):
         raise TilewrightFileError(f"{folder} is not a folder; a tile-set folder with {MANIFEST} is expected")
     manifest = _read_manifest(folder / MANIFEST)
@@ -153,6 +159,8 @@ def load(folder: str | Path) -> TextureTiles:
 
 
 def _read_manifest(path: Path) -> Manifest:
+    if path.exists() and not path.is_file():
+        raise TilewrightFileError(f"{path} is not a plain file")
     try:
         text = path.read_bytes()
     except OSError as error:
@@ -164,7 +172,7 @@ def _read_manifest(path: Path) -> Manifest:
                 f"{path} has schema {schema}; this version of tilewright reads up to {SCHEMA}: update it"
             )
         manifest = msgspec.json.decode(text, type=Manifest)
-    except (msgspec.DecodeError, RecursionError) as error:
+    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
         raise TilewrightFileError(f"{path} is damaged: {error}") from None
     if schema < 1 or manifest.signal != "texture":
         raise TilewrightFileError(
@@ -180,6 +188,8 @@ def _objection(folder: Path) -> str:
     except TilewrightFileError:
         return f"holds other things and no {MANIFEST} of this program"
     for path in sorted(folder.rglob("*")):
+        if path.is_dir() and not os.access(path, os.R_OK | os.W_OK | os.X_OK):
+            return f"holds {path.relative_to(folder).as_posix()}, which cannot be read and replaced"
         name = path.relative_to(folder).as_posix()
         is_folder = path.is_dir() and not path.is_symlink()
         if not (is_folder or name in ours or path.name in _DROPPED_BY_SYSTEMS):

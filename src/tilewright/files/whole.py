@@ -3,11 +3,36 @@
 import os
 import shutil
 import tempfile
+import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from tilewright.errors import TilewrightFileError
+from tilewright.errors import (
+    TilewrightFileError,
+    TilewrightTypeError,
+    TilewrightValueError,
+    TilewrightWarning,
+)
+
+MANIFEST = "tileset.json"
+"""The file that makes a folder a tile-set folder."""
+
+
+def as_path(given: str | os.PathLike[str]) -> Path:
+    """A path, or one clear line where it is of another type or cannot be written out as text."""
+    if not isinstance(given, (str, os.PathLike)):
+        raise TilewrightTypeError(f"path must be a str or a Path, not {type(given).__name__}")
+    path = Path(given)
+    if not str(given):
+        raise TilewrightValueError("path is empty; a file or folder name is expected")
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        raise TilewrightValueError(
+            f"{str(path)!r} is not a name in UTF-8; rename the file or folder"
+        ) from None
+    return path
 
 
 @contextmanager
@@ -37,13 +62,9 @@ def _real(path: Path) -> Path:
 @contextmanager
 def whole_file(path: str | Path) -> Iterator[Path]:
     """Yield a name to write to; it becomes ``path`` when the block ends well, and is gone otherwise."""
-    path = Path(path)
+    path = as_path(path)
     with _explained(path):
-        real = _real(path)
-        if real.is_dir():
-            raise TilewrightFileError(f"{path} is a folder; a file name is expected")
-        if real.exists() and not real.is_file():
-            raise TilewrightFileError(f"{path} is not a plain file; choose another name")
+        real = check_file(path)
         handle, name = tempfile.mkstemp(prefix=".unfinished-", suffix=path.suffix, dir=real.parent)
         os.close(handle)
         unfinished = Path(name)
@@ -51,8 +72,25 @@ def whole_file(path: str | Path) -> Iterator[Path]:
             yield unfinished
             os.chmod(unfinished, 0o666 & ~_umask())
             os.replace(unfinished, real)
+        except TilewrightFileError as error:
+            raise TilewrightFileError(str(error).replace(str(unfinished), str(path))) from None
         finally:
             unfinished.unlink(missing_ok=True)
+
+
+def check_file(path: Path) -> Path:
+    """Where a file may be written that leads to ``path``, links followed; an error where it may not."""
+    real = _real(path)
+    if real.is_dir():
+        raise TilewrightFileError(f"{path} is a folder; a file name is expected")
+    if real.exists() and not real.is_file():
+        raise TilewrightFileError(f"{path} is not a plain file; choose another name")
+    for folder in real.parents[:2]:
+        if (folder / MANIFEST).exists():
+            raise TilewrightFileError(
+                f"{path} lies in the tile-set folder {folder}; choose a place outside it"
+            )
+    return real
 
 
 @contextmanager
@@ -61,20 +99,31 @@ def whole_folder(path: str | Path, objection: Callable[[Path], str]) -> Iterator
 
     A folder that is there already and is not empty is replaced, unless there is an ``objection``.
     """
-    path = Path(path)
+    path = as_path(path)
+    with _explained(path):
+        real = check_folder(path, objection)
+        unfinished = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=real.parent))
+        try:
+            yield unfinished
+            os.chmod(unfinished, 0o777 & ~_umask())
+            _put(unfinished, real)
+        except TilewrightFileError as error:
+            raise TilewrightFileError(str(error).replace(str(unfinished), str(path))) from None
+        finally:
+            shutil.rmtree(unfinished, ignore_errors=True)
+
+
+def check_folder(path: Path, objection: Callable[[Path], str]) -> Path:
+    """Where a folder may be written that leads to ``path``, links followed; an error where it may not."""
     with _explained(path):
         real = _real(path)
         if real.exists() and not real.is_dir():
             raise TilewrightFileError(f"{path} is a file; a folder is expected")
         if real.is_dir() and any(real.iterdir()) and (reason := objection(real)):
             raise TilewrightFileError(f"{path} {reason}; choose a new folder")
-        unfinished = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=real.parent))
-        try:
-            yield unfinished
-            os.chmod(unfinished, 0o777 & ~_umask())
-            _put(unfinished, real)
-        finally:
-            shutil.rmtree(unfinished, ignore_errors=True)
+        if not os.access(real.parent, os.W_OK):
+            raise TilewrightFileError(f"{path} could not be written: no permission in {real.parent}")
+    return real
 
 
 def _put(new: Path, path: Path) -> None:
@@ -92,6 +141,12 @@ def _put(new: Path, path: Path) -> None:
             raise
     finally:
         shutil.rmtree(old, ignore_errors=True)
+        if old.exists():
+            warnings.warn(
+                f"parts of the old set could not be removed; they are in {old}",
+                TilewrightWarning,
+                stacklevel=4,
+            )
 
 
 def _umask() -> int:

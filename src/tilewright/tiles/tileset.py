@@ -61,7 +61,8 @@ class TileSet:
             )
         self.shape = shape
         self.name = name
-        self.colors = _radices(shape, table) if colors is None else tuple(int(c) for c in colors)
+        given = _radices(shape, table) if colors is None else colors
+        self.colors = tuple(check_int("colors", c, 1, MOST_COLORS) for c in given)
         self._slots: NDArray[np.uint8] = table.astype(np.uint8)
         self._slots.setflags(write=False)
         self._check_colors()
@@ -74,6 +75,14 @@ class TileSet:
             raise TilewrightValueError(
                 f"colors has {len(self.colors)} entries; {self.shape.name} tiles have {len(self.shape.slots)}"
             )
+        if prod(self.colors) > 2**62:
+            raise TilewrightValueError(f"colors is {self.colors}; their product may be up to 2^62")
+        for far, near in (pair for joint in self.shape.joints for pair in joint):
+            if self.colors[far] != self.colors[near]:
+                raise TilewrightValueError(
+                    f"colors is {self.colors}; {self.shape.slots[far]} and {self.shape.slots[near]} meet, so "
+                    "they need equally many"
+                )
         over = (self.slots >= np.array(self.colors)).nonzero()
         if len(over[0]):
             tile, slot = int(over[0][0]), int(over[1][0])

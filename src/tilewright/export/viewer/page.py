@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from tilewright import __version__
 from tilewright.errors import TilewrightValueError, check_int
 from tilewright.export.display import is_light, screen_bytes, to_linear
-from tilewright.files.whole import whole_file
+from tilewright.files.whole import as_path, whole_file
 from tilewright.signals.textures import TextureTiles
 from tilewright.tiles import TileSet
 from tilewright.tilings import stochastic
@@ -61,7 +61,7 @@ def save_viewer(material: TextureTiles, path: str | Path, *, seed: int = 0) -> N
     16-bit maps are rounded to 8 bit for the screen; float maps are scaled, and light encoded as sRGB (the
     page says from what to what). Mip levels of light are averaged linearly.
     """
-    path = Path(path)
+    path = as_path(path)
     if path.suffix.lower() not in (".html", ".htm"):
         raise TilewrightValueError(f"{path} ends in {path.suffix or 'nothing'!r}; a viewer is an .html file")
     check_int("seed", seed, 0, 2**64 - 1)

@@ -1,18 +1,21 @@
 """What a texture is made from: photographs, their maps, and what may be copied from them."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice, check_real
 
 Maps = dict[str, NDArray[Any]]
 
 SMALLEST_SIDE = 32
 LARGEST_SIDE = 32768
+LARGEST_VALUE = 1e12
+"""Of float maps: what still has a square and a variance in float32."""
+LONGEST_NAME = 100
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +48,8 @@ class Exemplar:
         masks: Sequence[NDArray[np.bool_] | None] | None = None,
         weights: dict[str, float] | None = None,
     ) -> None:
+        if not isinstance(sources, Sequence) or not all(isinstance(s, Mapping) for s in sources):
+            raise TilewrightTypeError("sources must be a sequence of dicts of map name to array")
         if not sources or not sources[0]:
             raise TilewrightValueError("an exemplar needs at least one source with at least one map")
         checked = tuple(_check_source(n, source) for n, source in enumerate(sources))
@@ -55,13 +60,29 @@ class Exemplar:
         object.__setattr__(self, "sources", checked)
         usable = tuple(_check_mask(n, m, s) for n, (m, s) in enumerate(zip(given, checked, strict=True)))
         object.__setattr__(self, "masks", usable)
-        object.__setattr__(self, "weights", dict.fromkeys(checked[0], 1.0) | (weights or {}))
+        object.__setattr__(self, "weights", _check_weights(weights, tuple(checked[0])))
+
+
+def _check_weights(given: Any, maps: tuple[str, ...]) -> dict[str, float]:
+    if given is not None and not isinstance(given, Mapping):
+        raise TilewrightTypeError(f"weights must be a dict of map name to number, not {given!r}")
+    weights = dict.fromkeys(maps, 1.0)
+    for name, weight in (given or {}).items():
+        check_choice("a map of weights", name, maps)
+        weights[name] = check_real(f"weight of map {name!r}", weight, 0, 1e6)
+    if not any(weights.values()):
+        raise TilewrightValueError(f"weights is {weights}; at least one map must count")
+    return weights
 
 
 def _check_source(number: int, source: Maps) -> Maps:
     checked = {}
     sizes = {}
     for name, given in source.items():
+        if not isinstance(name, str) or not 1 <= len(name) <= LONGEST_NAME:
+            raise TilewrightValueError(
+                f"a map is named {str(name)[:80]!r}; a name is a text of 1 to {LONGEST_NAME} characters"
+            )
         checked[name] = check_map(f"map {name!r} of source {number}", given)
         sizes[name] = checked[name].shape[:2]
     if len(set(sizes.values())) > 1:
@@ -92,6 +113,10 @@ def check_map(what: str, given: Any) -> NDArray[Any]:
     if pixels.dtype == np.float32 and not np.isfinite(pixels).all():
         y, x = (int(v[0]) for v in (~np.isfinite(pixels).all(axis=2)).nonzero())
         raise TilewrightValueError(f"{what} is not finite at x={x}, y={y}; NaN and infinity are not allowed")
+    if pixels.dtype == np.float32 and np.abs(pixels).max() > LARGEST_VALUE:
+        raise TilewrightValueError(
+            f"{what} holds {np.abs(pixels).max():.3g}; allowed are -{LARGEST_VALUE:g} to {LARGEST_VALUE:g}"
+        )
     return np.ascontiguousarray(pixels)
 
 
@@ -118,6 +143,8 @@ def _check_mask(number: int, mask: Any, source: Maps) -> NDArray[np.bool_]:
         raise TilewrightValueError(
             f"the mask of source {number} has shape {usable.shape}; its source has {size}"
         )
+    if usable.dtype.kind not in "buif" or (usable.dtype.kind == "f" and not np.isfinite(usable).all()):
+        raise TilewrightTypeError(f"the mask of source {number} holds {usable.dtype}; use bool, without NaN")
     usable = usable.astype(bool)
     if not usable.any():
         raise TilewrightValueError(f"the mask of source {number} leaves no pixel to copy")

@@ -9,6 +9,7 @@ import numpy as np
 
 from tilewright.errors import (
     Progress,
+    TilewrightTypeError,
     TilewrightValueError,
     TilewrightWarning,
     check_choice,
@@ -19,6 +20,7 @@ from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.nested import lay_nested
 from tilewright.signals.textures.patchwork import Patchwork
 from tilewright.signals.textures.plan import make_plan
+from tilewright.signals.textures.recipe import Recipe, Spot
 from tilewright.signals.textures.regularity import (
     Regularity,
     find_regularity,
@@ -30,9 +32,7 @@ from tilewright.signals.textures.sheet import Sheet, make_sheet
 from tilewright.signals.textures.squares import lay_ng, lay_squares
 from tilewright.signals.textures.texture_tiles import TextureTiles, copy_from_sources
 from tilewright.tiles import TileSet
-
-Spot = tuple[int, int, int]
-"""(source, y, x): a pixel of a source."""
+from tilewright.tiles.tileset import check_tiles
 
 CORNER_METHODS = ("nested", "ng", "squares")
 EDGE_METHODS = ("centered-diamonds", "diamonds", "burke")
@@ -96,10 +96,16 @@ def synthesize(
         The exemplar holds a copy of itself, or is periodic and the tile size is off its period.
     """
     check_int("seed", seed, 0, 2**64 - 1)
-    corners = "NE" in tiles.shape.slots
+    workers = os.cpu_count() or 1 if threads is None else check_int("threads", threads, 1, 1024)
+    if not isinstance(exemplar, Exemplar):
+        raise TilewrightTypeError(f"exemplar must be an Exemplar, not {type(exemplar).__name__}")
+    pick, reject = _check_choices(pick, reject)
+    corners = "NE" in check_tiles("tiles", tiles).shape.slots
     if tiles.shape.dimension != 2:
         raise TilewrightValueError(f"texture tiles are square; {tiles.shape.name} tiles are not")
-    method = check_choice("method", method or ("nested" if corners else "centered-diamonds"), METHODS)
+    method = check_choice(
+        "method", ("nested" if corners else "centered-diamonds") if method is None else method, METHODS
+    )
     allowed = CORNER_METHODS if corners else EDGE_METHODS
     if method not in allowed:
         raise TilewrightValueError(
@@ -110,11 +116,11 @@ def synthesize(
     _warn(regularity, size)
     sheet = make_sheet(exemplar)
     ledger = Ledger(
-        {name: _to_sheet(sheet, name, spot) for name, spot in (pick or {}).items()},
-        {name: [_to_sheet(sheet, name, s) for s in spots] for name, spots in (reject or {}).items()},
+        {name: _to_sheet(sheet, name, spot) for name, spot in pick.items()},
+        {name: [_to_sheet(sheet, name, s) for s in spots] for name, spots in reject.items()},
     )
     rng = np.random.default_rng(seed)
-    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+    with ThreadPoolExecutor(workers) as pool:
         lay, total = _method(method, tiles, len(exemplar.sources))
         search = PatchSearch(sheet, size, ledger, regularity.shortest_period, pool, progress, total, rng)
         canvas = lay(search, rng)
@@ -124,17 +130,17 @@ def synthesize(
             f"no patch is called {min(unknown)!r}; this set has {', '.join(sorted(ledger.laid)[:6])}, ..."
         )
     origins = sheet.to_origins(canvas.rows, canvas.columns)
-    recipe = {
-        "method": method,
-        "seed": seed,
-        "tile_size": size,
-        "weights": exemplar.weights,
-        "patches": {name: _to_source(sheet, place) for name, place in ledger.laid.items()},
-        "picked": {name: _to_source(sheet, place) for name, place in ledger.picked.items()},
-        "rejected": {n: [_to_source(sheet, p) for p in ps] for n, ps in ledger.rejected.items()},
-    }
+    recipe = Recipe(
+        method,
+        seed,
+        size,
+        exemplar.weights,
+        {name: _to_source(sheet, place) for name, place in ledger.laid.items()},
+        {name: _to_source(sheet, place) for name, place in ledger.picked.items()},
+        {n: [_to_source(sheet, p) for p in ps] for n, ps in ledger.rejected.items()},
+    )
     maps = copy_from_sources(exemplar.sources, origins)
-    return TextureTiles(tiles, maps, exemplar.sources, origins, recipe, exemplar.masks)
+    return TextureTiles(tiles, maps, exemplar.sources, origins, recipe.to_dict(), exemplar.masks)
 
 
 def resynthesize(
@@ -150,27 +156,50 @@ def resynthesize(
     ``reject`` names patches of ``material.recipe["patches"]``: the place each was taken from is barred
     for it from now on. What was rejected and picked before stays so.
     """
-    recipe = material.recipe
-    rejected: dict[str, list[Spot]] = {n: list(map(tuple, s)) for n, s in recipe["rejected"].items()}  # type: ignore[arg-type]
-    picked: dict[str, Spot] = {n: tuple(s) for n, s in recipe["picked"].items()} | dict(pick or {})
+    recipe = Recipe.of(material)
+    if isinstance(reject, str) or not isinstance(reject, Iterable):
+        raise TilewrightTypeError(f"reject must be a list of patch names, not {reject!r}")
+    if pick is not None and not isinstance(pick, Mapping):
+        raise TilewrightTypeError(f"pick must be a dict of patch name to (source, y, x), not {pick!r}")
+    rejected = {name: list(spots) for name, spots in recipe.rejected.items()}
+    picked = recipe.picked | dict(pick or {})
     for name in reject:
-        if name not in recipe["patches"]:
+        if name not in recipe.patches:
             raise TilewrightValueError(
-                f"no patch is called {name!r}; this set has {', '.join(sorted(recipe['patches'])[:6])}, ..."
+                f"no patch is called {name!r}; this set has {', '.join(sorted(recipe.patches)[:6])}, ..."
             )
-        rejected.setdefault(name, []).append(tuple(recipe["patches"][name]))
+        rejected.setdefault(name, []).append(recipe.patches[name])
         picked.pop(name, None)
     return synthesize(
-        Exemplar(material.sources, material.masks or None, recipe["weights"]),
+        Exemplar(material.sources, material.masks or None, recipe.weights),
         material.tiles,
-        tile_size=recipe["tile_size"],
-        seed=recipe["seed"],
-        method=recipe["method"],
+        tile_size=recipe.tile_size,
+        seed=recipe.seed,
+        method=recipe.method,
         pick=picked,
         reject=rejected,
         threads=threads,
         progress=progress,
     )
+
+
+def _check_choices(
+    pick: Mapping[str, Spot] | None, reject: Mapping[str, Sequence[Spot]] | None
+) -> tuple[Mapping[str, Spot], Mapping[str, Sequence[Spot]]]:
+    """An artist's choices, well formed."""
+    for what, given in (("pick", pick), ("reject", reject)):
+        if given is not None and not isinstance(given, Mapping):
+            raise TilewrightTypeError(f"{what} must be a dict by patch name, not {given!r}")
+    pick, reject = pick or {}, reject or {}
+    spots = [(f"pick[{name!r}]", spot) for name, spot in pick.items()]
+    for name, rejected in reject.items():
+        if not isinstance(rejected, (list, tuple)):
+            raise TilewrightTypeError(f"reject[{name!r}] must be a list of (source, y, x), not {rejected!r}")
+        spots += [(f"reject[{name!r}]", spot) for spot in rejected]
+    for what, spot in spots:
+        if not isinstance(spot, (list, tuple)) or len(spot) != 3:
+            raise TilewrightTypeError(f"{what} must hold (source, y, x), not {spot!r}")
+    return pick, reject
 
 
 Lay = Callable[[PatchSearch, np.random.Generator], Patchwork]
@@ -196,7 +225,7 @@ def _method(method: str, tiles: TileSet, sources: int) -> tuple[Lay, int]:
 
 
 def _tile_size(given: int | str, regularity: Regularity) -> int:
-    if given == "auto":
+    if isinstance(given, str) and given == "auto":
         return suited_tile_size(regularity)
     size = check_int("tile_size", given, SMALLEST_TILE, LARGEST_TILE)
     if size % 2:
@@ -235,6 +264,6 @@ def _to_sheet(sheet: Sheet, name: str, spot: Spot) -> tuple[int, int]:
     return sheet.tops[source] + y, x
 
 
-def _to_source(sheet: Sheet, place: tuple[int, int]) -> list[int]:
+def _to_source(sheet: Sheet, place: tuple[int, int]) -> Spot:
     source = int(np.searchsorted(np.array(sheet.tops), place[0], side="right")) - 1
-    return [source, int(place[0]) - sheet.tops[source], int(place[1])]
+    return source, int(place[0]) - sheet.tops[source], int(place[1])

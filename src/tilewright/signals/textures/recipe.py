@@ -1,0 +1,45 @@
+"""What is needed to make a set again: method, seed, settings, and the place of every patch."""
+
+from typing import Any
+
+import msgspec
+
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.signals.textures.texture_tiles import TextureTiles
+
+Spot = tuple[int, int, int]
+"""(source, y, x): a pixel of a source."""
+
+
+class Recipe(msgspec.Struct):
+    """How a texture was made; ``TextureTiles.recipe`` is this as a plain dict.
+
+    Attributes
+    ----------
+    patches : the place each named patch was taken from.
+    picked, rejected : what an artist asked for; see `tilewright.synthesize`.
+    """
+
+    method: str
+    seed: int
+    tile_size: int
+    weights: dict[str, float]
+    patches: dict[str, Spot]
+    picked: dict[str, Spot]
+    rejected: dict[str, list[Spot]]
+
+    @classmethod
+    def of(cls, material: TextureTiles) -> "Recipe":
+        """The recipe of a material; an error where it has none that can be replayed."""
+        if not isinstance(material, TextureTiles):
+            raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+        try:
+            return msgspec.convert(material.recipe, cls)
+        except msgspec.ValidationError as error:
+            reason = str(error)[:1].lower() + str(error)[1:]
+            raise TilewrightValueError(f"the material's recipe cannot be replayed: {reason}") from None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain JSON values."""
+        plain: dict[str, Any] = msgspec.json.decode(msgspec.json.encode(self))
+        return plain
