@@ -10,6 +10,7 @@ import typer
 
 from tilewright import __version__
 from tilewright.cli import analyze, export, pack, render, texture, view
+from tilewright.cli.options import Ending
 from tilewright.errors import TilewrightError, TilewrightWarning
 
 _INTERRUPTED = 130
@@ -53,15 +54,10 @@ def main() -> None:
     os.dup2(nowhere, 2)
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
-    for name in ("SIGTERM", "SIGHUP"):
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), _stop)
+    for number in (getattr(signal, name, None) for name in ("SIGINT", "SIGTERM", "SIGHUP")):
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, Ending.ask)
     run()
-
-
-def _stop(number: int, frame: object) -> None:
-    """End as an interrupt does, so that what is half-written is removed."""
-    raise KeyboardInterrupt
 
 
 def run(arguments: list[str] | None = None) -> None:

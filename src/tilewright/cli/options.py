@@ -27,18 +27,44 @@ def report(figures: dict[str, Any], as_json: bool, text: str) -> None:
     print(json.dumps(finite) if as_json else text)
 
 
+class Ending:
+    """Whether a signal asked the program to end.
+
+    The exception a signal raises is lost when it meets a callback of a C library, so long work asks here.
+    """
+
+    asked = False
+
+    @classmethod
+    def ask(cls, number: int, frame: object) -> None:
+        """Handle a signal: end as an interrupt does, so that what is half-written is removed."""
+        cls.asked = True
+        raise KeyboardInterrupt
+
+    @classmethod
+    def check(cls, done: int, total: int, what: str) -> None:
+        """Progress that shows nothing and ends where that was asked for."""
+        if cls.asked:
+            raise KeyboardInterrupt
+
+
 @contextmanager
 def progress_bar() -> Iterator[Progress]:
     """A progress bar on stderr; nothing where stderr is not a terminal."""
     if not sys.stderr.isatty():
-        yield lambda done, total, what: None
+        yield Ending.check
         return
     from rich.console import Console
     from rich.progress import Progress as Bar
 
     with Bar(console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=None)
-        yield lambda done, total, what: bar.update(task, completed=done, total=total, description=what)
+
+        def update(done: int, total: int, what: str) -> None:
+            Ending.check(done, total, what)
+            bar.update(task, completed=done, total=total, description=what)
+
+        yield update
 
 
 def parse_pairs(option: str, given: list[str]) -> dict[str, str]:
