@@ -57,6 +57,11 @@ def test_permutation_hash_has_the_period_of_its_table():
     assert np.array_equal(table.words(0, x), p[x % 13])  # eq. 3.1
     assert np.array_equal(table.words(0, x, y), p[(p[x % 13] + y) % 13])  # eq. 3.3
     assert np.array_equal(table.words(0, x, y, z), p[(p[(p[x % 13] + y) % 13] + z) % 13])  # eq. 3.4
+    summed = tw.PermutationHash(3, size=13, nested=False)
+    p, q = summed.table(0, 0), summed.table(0, 1)
+    assert sorted(q) == list(range(13))
+    assert not np.array_equal(p, q)
+    assert np.array_equal(summed.words(0, x, y), (p[x % 13] + q[y % 13]) % 13)  # eq. 3.2
 
 
 @pytest.mark.parametrize(

@@ -130,7 +130,7 @@ def as_grid(axes: tuple[Coordinates, ...]) -> tuple[Coordinates, ...]:
 
 
 class PermutationHash(LatticeHash):
-    """A permutation table looked up once for each coordinate (Lagae 2007, eq. 3.1, 3.3 and 3.4).
+    """A permutation table looked up once for each coordinate (Lagae 2007, eq. 3.1 to 3.4).
 
     Parameters
     ----------
@@ -139,14 +139,19 @@ class PermutationHash(LatticeHash):
         table of its own.
     size : int
         Entries of the table, 2 to 65,536: the period along every axis, and the range.
+    nested : bool
+        One table, looked up with what the coordinates before gave (eq. 3.3 and 3.4), as is usual; or a
+        table for each axis and the sum of what they give (eq. 3.2), in which a row differs from the next
+        only by a constant.
     """
 
     name = "permutation"
 
-    def __init__(self, seed: int = 0, size: int = 256) -> None:
+    def __init__(self, seed: int = 0, size: int = 256, *, nested: bool = True) -> None:
         self.seed = check_int("seed", seed, 0, 2**64 - 1)
         self.size = check_int("size", size, 2, 65536)
-        self._tables: dict[int, NDArray[np.int64]] = {}
+        self.nested = nested
+        self._tables: dict[tuple[int, int], NDArray[np.int64]] = {}
 
     @property
     def range(self) -> int:
@@ -157,12 +162,12 @@ class PermutationHash(LatticeHash):
         """The table's size."""
         return self.size
 
-    def table(self, stream: int) -> NDArray[np.int64]:
-        """The permutation of a stream."""
-        if stream not in self._tables:
-            words = MixerHash(self.seed).words(stream, np.arange(self.size), self.size)
-            self._tables[stream] = np.argsort(words, kind="stable")
-        return self._tables[stream]
+    def table(self, stream: int, axis: int = 0) -> NDArray[np.int64]:
+        """The permutation of a stream; of an axis, 0 for x, where each has its own."""
+        if (stream, axis) not in self._tables:
+            words = MixerHash(self.seed).words(stream, np.arange(self.size), self.size, axis)
+            self._tables[stream, axis] = np.argsort(words, kind="stable")
+        return self._tables[stream, axis]
 
     def words(
         self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
@@ -170,8 +175,11 @@ class PermutationHash(LatticeHash):
         first, *others = check_point(stream, x, y, z)[: 1 + (y is not None) + (z is not None)]
         table, n = self.table(stream), self.size
         value = table[first % n]
-        for coordinate in others:
-            value = table[(value + coordinate % n) % n]
+        for axis, coordinate in enumerate(others, 1):
+            if self.nested:
+                value = table[(value + coordinate % n) % n]
+            else:
+                value = (value + self.table(stream, axis)[coordinate % n]) % n
         return value
 
 
