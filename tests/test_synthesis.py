@@ -269,3 +269,15 @@ def test_bad_exemplars_get_one_clear_line(case):
 def test_a_blank_exemplar_still_works():
     material = synthesize(Exemplar([{"a": np.full((100, 100), 7, np.uint8)}]), corner_tiles(2), tile_size=32)
     assert (material.pixels == 7).all()
+
+
+def test_large_sets_say_what_they_cost(gravel):
+    with pytest.raises(TilewrightValueError, match="choose fewer colors or a smaller tile size"):
+        synthesize(small(gravel), corner_tiles(16), tile_size=128)
+
+    def stop(done, total, what):
+        raise Cancelled("enough")
+
+    cost = "4096 tiles of 64 x 64 pixels take about 3 minutes"
+    with pytest.warns(TilewrightWarning, match=cost), pytest.raises(Cancelled):
+        synthesize(small(gravel), corner_tiles(8), tile_size=64, progress=stop)

@@ -38,6 +38,10 @@ CORNER_METHODS = ("nested", "ng", "squares")
 EDGE_METHODS = ("centered-diamonds", "diamonds", "burke")
 METHODS = CORNER_METHODS + EDGE_METHODS
 SMALLEST_TILE, LARGEST_TILE = 16, 1024
+MOST_PIXELS = 2**28
+"""Of all tiles together: about 5 GB of memory while they are made."""
+_SECONDS = 0.15
+"""What a tile of 128 x 128 pixels takes on two cores."""
 
 
 def synthesize(
@@ -87,13 +91,15 @@ def synthesize(
     Raises
     ------
     TilewrightValueError
-        The exemplar or its mask is too small for the tile size, the method does not go with the set, or
+        The exemplar or its mask is too small for the tile size, the tiles have more than 2^28 pixels
+        together, the method does not go with the set, or
         too much was rejected.
 
     Warns
     -----
     TilewrightWarning
-        The exemplar holds a copy of itself, or is periodic and the tile size is off its period.
+        The exemplar holds a copy of itself, or is periodic and the tile size is off its period; the set
+        will take minutes.
     """
     check_int("seed", seed, 0, 2**64 - 1)
     workers = os.cpu_count() or 1 if threads is None else check_int("threads", threads, 1, 1024)
@@ -114,6 +120,7 @@ def synthesize(
     regularity = find_regularity(next(iter(exemplar.sources[0].values())))
     size = _tile_size(tile_size, regularity)
     _warn(regularity, size)
+    _check_cost(len(tiles), size)
     sheet = make_sheet(exemplar)
     ledger = Ledger(
         {name: _to_sheet(sheet, name, spot) for name, spot in pick.items()},
@@ -248,6 +255,22 @@ def _warn(regularity: Regularity, size: int) -> None:
         warnings.warn(
             f"the exemplar repeats every {_periods(regularity)} pixels and tile_size {size} is {off:.0f} "
             f"pixels off; {better} fits",
+            TilewrightWarning,
+            stacklevel=3,
+        )
+
+
+def _check_cost(count: int, size: int) -> None:
+    """Refuse what cannot be held, and say what will take long."""
+    if count * size * size > MOST_PIXELS:
+        raise TilewrightValueError(
+            f"{count} tiles of {size} x {size} pixels are {count * size * size} pixels; allowed are "
+            f"{MOST_PIXELS}: choose fewer colors or a smaller tile size"
+        )
+    minutes = count * _SECONDS * (size / 128) ** 2 / 60
+    if minutes > 2:
+        warnings.warn(
+            f"{count} tiles of {size} x {size} pixels take about {minutes:.0f} minutes on two cores",
             TilewrightWarning,
             stacklevel=3,
         )
