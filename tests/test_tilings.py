@@ -339,6 +339,11 @@ BAD = {
     "three numbers": (lambda: tw.direct(tw.corner_tiles(2)).indices(0, 0, 5), "takes 4 numbers"),
     "packing": (lambda: tw.packing(tw.cohen_tiles(8)), "complete sets"),
     "density set": (lambda: tw.density_tiling(tw.wang_tiles(2), 0.5), "complete corner set"),
+    "density ragged": (lambda: tw.density_tiling(tw.corner_tiles(2), [[0, 1], [1]]), "equally long rows"),
+    "density complex": (
+        lambda: tw.density_tiling(tw.corner_tiles(2), lambda x, y: x * 1j).indices(0, 0, 5, 5),
+        "it gave complex128",
+    ),
     "density NaN": (lambda: tw.density_tiling(tw.corner_tiles(2), [[np.nan]]), "outside 0 to 1 (or NaN)"),
     "density function": (
         lambda: tw.density_tiling(tw.corner_tiles(2), lambda x, y: x).indices(0, 0, 5, 5),

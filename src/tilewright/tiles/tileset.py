@@ -61,8 +61,7 @@ class TileSet:
             )
         self.shape = shape
         self.name = name
-        given = _radices(shape, table) if colors is None else colors
-        self.colors = tuple(check_int("colors", c, 1, MOST_COLORS) for c in given)
+        self.colors = check_palette(_radices(shape, table) if colors is None else colors)
         self._slots: NDArray[np.uint8] = table.astype(np.uint8)
         self._slots.setflags(write=False)
         self._check_colors()
@@ -75,8 +74,6 @@ class TileSet:
             raise TilewrightValueError(
                 f"colors has {len(self.colors)} entries; {self.shape.name} tiles have {len(self.shape.slots)}"
             )
-        if prod(self.colors) > 2**62:
-            raise TilewrightValueError(f"colors is {self.colors}; their product may be up to 2^62")
         for far, near in (pair for joint in self.shape.joints for pair in joint):
             if self.colors[far] != self.colors[near]:
                 raise TilewrightValueError(
@@ -192,8 +189,19 @@ def as_slots(given: ArrayLike, count: int) -> NDArray[Any]:
     return table
 
 
+def check_palette(colors: Any) -> tuple[int, ...]:
+    """Numbers of colors, one for each slot."""
+    if isinstance(colors, str) or not hasattr(colors, "__len__") or not len(colors):
+        raise TilewrightTypeError(f"colors must be a tuple with a number for each slot, not {colors!r}")
+    found = tuple(check_int("colors", c, 1, MOST_COLORS) for c in colors)
+    if prod(found) > 2**62:
+        raise TilewrightValueError(f"colors is {found}; their product may be up to 2^62")
+    return found
+
+
 def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
     """Mixed-radix number of the colors along the last axis (Lagae 2007, eq. 2.2 and 2.5)."""
+    colors = check_palette(colors)
     table = as_slots(slots, len(colors))
     if ((table < 0) | (table >= np.array(colors))).any():
         raise TilewrightValueError(f"slots holds colors outside 0 up to {tuple(colors)}")
@@ -206,8 +214,7 @@ def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
 def decode(codes: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.uint8]:
     """Colors of each slot along a new last axis (Lagae 2007, eq. 2.4 and 2.7)."""
     rest = as_integers("codes", codes)
-    if not colors or min(colors) < 1:
-        raise TilewrightValueError(f"colors is {tuple(colors)}; every slot needs at least 1 color")
+    colors = check_palette(colors)
     most = prod(int(c) for c in colors)
     if rest.size and (rest.min() < 0 or rest.max() >= most):
         raise TilewrightValueError(

@@ -45,8 +45,12 @@ class DensityTiling(SlotTiling):
     def marks(self, columns: NDArray[np.int64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
         """The density at the lattice points of a grid, checked, shape (len(rows), len(columns))."""
         x, y = np.meshgrid(columns.astype(float), rows.astype(float))
+        given = self.density(x, y)
         try:
-            values = np.broadcast_to(np.asarray(self.density(x, y), float), x.shape)
+            found = np.asarray(given)
+            if found.dtype.kind not in "buif":
+                raise TypeError(f"it gave {found.dtype}")
+            values = np.broadcast_to(found.astype(float), x.shape)
         except (TypeError, ValueError) as error:
             raise TilewrightValueError(
                 f"the density function did not give one number for each point of {x.shape}: {error}"
@@ -102,7 +106,10 @@ def density_tiling(
 
 
 def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
-    map_ = np.asarray(given)
+    try:
+        map_ = np.asarray(given)
+    except ValueError:
+        raise TilewrightValueError("the density map is not a table of equally long rows") from None
     if map_.ndim == 2:
         map_ = map_[..., np.newaxis]
     if map_.ndim != 3 or not 1 <= map_.shape[2] <= 4 or map_.size == 0:
