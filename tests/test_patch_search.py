@@ -36,6 +36,14 @@ def test_a_sheet_searched_in_parts_gives_tiles_that_meet(gravel, monkeypatch):
     assert max(rows) - min(rows) > 100  # patches come from all over
 
 
+def test_a_pick_does_not_move_other_patches(gravel, monkeypatch):
+    monkeypatch.setattr(matching, "BLOCK_SIDE", 100)
+    material = tw.texture_tiles(gravel, tw.corner_tiles(2), tile_size=32, seed=1)
+    taken = tuple(material.recipe["patches"]["edge-h:0-1"])
+    again = tw.resynthesize(material, pick={"edge-h:0-1": taken})
+    assert again.recipe["patches"] == material.recipe["patches"]
+
+
 def test_a_reduced_canvas_shows_what_the_canvas_shows():
     """A patch stays one patch, and the same pixels are seen up to the blocks they are averaged over."""
     ramp = np.indices((96, 96)).transpose(1, 2, 0).astype(np.float32)

@@ -127,6 +127,14 @@ def test_full_output_is_one_line(work):
     assert (done.returncode, done.stderr.count(b"\n")) == (2, 1)
 
 
+@pytest.mark.skipif(os.name == "nt", reason="needs a POSIX shell")
+def test_it_works_without_a_stderr(work):
+    command = f"'{PROGRAM}' pack --colors 3 -o packed.npy 2>&-"
+    done = subprocess.run(["sh", "-c", command], cwd=work, capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stderr) == (0, "")
+    (work / "packed.npy").unlink()
+
+
 def test_names_beyond_ascii(work):
     done = call(work, "render", "set", "-o", "ü.png", "--width", 5, "--height", 5,
                 env=os.environ | {"PYTHONIOENCODING": "ascii"})  # fmt: skip

@@ -49,11 +49,12 @@ for command in (texture, render, view, analyze, pack, export):
 def main() -> None:
     """The program: `run`, in a process of its own."""
     # C libraries print complaints of their own; only what this program says reaches the terminal.
-    sys.stderr = os.fdopen(os.dup(2), "w", buffering=1)
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, 2)
+    if sys.stderr is not None:  # it is where the program was started without one
+        sys.stderr = os.fdopen(os.dup(2), "w", buffering=1)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
     for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
+        if stream is not None:
+            stream.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
     for number in (getattr(signal, name, None) for name in ("SIGINT", "SIGTERM", "SIGHUP")):
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, Ending.ask)
@@ -65,7 +66,8 @@ def run(arguments: list[str] | None = None) -> None:
     warnings.showwarning = _show_warning  # type: ignore[assignment]
     try:
         code = app(arguments, standalone_mode=False)
-        sys.stdout.flush()
+        if sys.stdout is not None:
+            sys.stdout.flush()
         if code == _INTERRUPTED:
             _say("stopped")
     except TilewrightError as error:

@@ -12,7 +12,7 @@ from tilewright.errors import TilewrightValueError, check_choice
 def command(
     output: Annotated[Path, typer.Option("-o", "--output", help="FILE.npy", show_default=False)],
     tiles: Annotated[str, typer.Option(help="corner or wang.")] = "corner",
-    colors: Annotated[int, typer.Option(help="2 to 16.")] = 2,
+    colors: Annotated[int, typer.Option(help="1 to 16.")] = 2,
     seed: Seed = 0,
     json: Json = False,
 ) -> None:

@@ -162,7 +162,10 @@ class PatchSearch:
     def lay(self, name: str, opening: Opening) -> tuple[Patchwork, Place]:
         """Find a patch for an opening, cut it in, and return the new canvas and its place."""
         # Step 1: the places that promise most, and how good each looks before it is cut in.
-        promise = {self.checked_pick(name): 1.0} if name in self.ledger.picked else self._find(name, opening)
+        # Blocks are drawn for picked patches too: a pick must not move the others.
+        blocks = self.rng.permutation(len(self.matcher.blocks))
+        picked = name in self.ledger.picked
+        promise = {self.checked_pick(name): 1.0} if picked else self._find(name, opening, blocks)
         if not promise:
             raise TilewrightValueError(
                 f"no place is left for patch {name}: the exemplar or its mask is too small for tiles of "
@@ -181,9 +184,9 @@ class PatchSearch:
         self.step(name)
         return opening.canvas.with_patch(place, where), place
 
-    def _find(self, name: str, opening: Opening) -> dict[Place, float]:
+    def _find(self, name: str, opening: Opening, blocks: NDArray[np.int64]) -> dict[Place, float]:
         """The best places for a patch and their scores, in the first block of the sheet that has any."""
-        for block in self.rng.permutation(len(self.matcher.blocks)):
+        for block in blocks:
             top, left = self.matcher.blocks[block][:2]
             score = self._score(int(block), opening)
 
@@ -209,7 +212,7 @@ class PatchSearch:
                 return
             radius /= 2
 
-    def _cut_all(self, scale: "Scale", opening: Opening, promise: dict[Place, float]) -> list["Cut"]:
+    def _cut_all(self, scale: Scale, opening: Opening, promise: dict[Place, float]) -> list[Cut]:
         """The cuts of several places, best first."""
         cuts = self.pool.map(lambda place: scale.cut(opening, place), promise)
         found = [
