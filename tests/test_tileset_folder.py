@@ -12,7 +12,8 @@ import pytest
 import tilewright as tw
 from handmade import handmade
 from tilewright.errors import TilewrightError
-from tilewright.files import images, tileset_folder
+from tilewright.files import images
+from tilewright.files import manifest as files_manifest
 
 SETS = [
     tw.corner_tiles(2),
@@ -153,7 +154,7 @@ def test_an_unwritable_folder(tmp_path):
 def test_the_manifest_can_be_read_without_tilewright(tmp_path):
     tw.save(handmade(tw.corner_tiles(2)), tmp_path / "set")
     manifest = msgspec.json.decode((tmp_path / "set" / "tileset.json").read_bytes())
-    assert manifest["schema"] == tileset_folder.SCHEMA
+    assert manifest["schema"] == files_manifest.SCHEMA
     assert manifest["tiles"]["slot_names"] == ["NE", "SE", "SW", "NW"]
     assert images.lossless_suffix(np.dtype(np.uint8)) == ".png"
     assert (tmp_path / "set" / manifest["maps"]["map0"][0]).is_file()

@@ -105,7 +105,7 @@ def check_sheet(path: str | Path) -> Path:
     return path
 
 
-def analyze(
+def analyze_texture(
     material: TextureTiles, *, cells: int = 12, seed: int = 0, progress: Progress | None = None
 ) -> Report:
     """Measure seams, repetition and structure of texture tiles on a random piece of the plane.
@@ -119,7 +119,9 @@ def analyze(
         Seed of the tiling and of the patches that are compared.
     """
     if not isinstance(material, TextureTiles):
-        raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+        raise TilewrightTypeError(
+            f"material must be TextureTiles, PointTiles or a PointSet, not {type(material).__name__}"
+        )
     seed = check_int("seed", seed, 0, 2**64 - 1)
     sample = lay_sample(material, cells, seed)
     figures: dict[str, float] = {}

@@ -5,31 +5,48 @@ from typing import Annotated
 
 import typer
 
-from tilewright.cli.options import Folder, Json, Seed, progress_bar, report
+from tilewright.cli.options import Json, Seed, progress_bar, report
+from tilewright.errors import TilewrightValueError
 
 
 def command(
-    folder: Folder,
+    source: Annotated[
+        Path,
+        typer.Argument(help="A tile-set folder, or points in .npy, .csv or .parquet.", show_default=False),
+    ],
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="SHEET.png: pictures beside figures.")
     ] = None,
+    width: Annotated[float | None, typer.Option(help="Of the box a file's points lie in.")] = None,
+    height: Annotated[float | None, typer.Option(help="Of that box.")] = None,
+    torus: Annotated[bool, typer.Option(help="Opposite sides of that box meet.")] = False,
     seed: Seed = 0,
     json: Json = False,
 ) -> None:
-    """Measure seams and repetition of a tile set.
+    """Measure a tile set, or points: spacing, spectrum, anisotropy.
 
     Example: tilewright analyze moss -o moss-sheet.png
 
-    Calls tilewright.analyze(material, seed=seed) and its save_sheet(path).
+    Example: tilewright analyze points.npy --width 100 --height 100 --torus -o sheet.png
+
+    Calls tilewright.analyze(tilewright.load(folder), seed=seed), or of tilewright.read_points(file, box), and
+    its save_sheet(path).
     """
     from tilewright.analysis import analyze
     from tilewright.analysis.report import check_sheet
-    from tilewright.files import load
+    from tilewright.files import load, read_points
+    from tilewright.samplers import Box
 
     if output is not None:
         check_sheet(output)
+    if (width is None) != (height is None):
+        raise TilewrightValueError("--width and --height go together")
+    box = None if width is None or height is None else Box((width, height), torus)
+    if torus and box is None:
+        box = Box()
+    material = load(source) if source.is_dir() or not source.suffix else read_points(source, box)
     with progress_bar() as progress:
-        found = analyze(load(folder), seed=seed, progress=progress)
+        found = analyze(material, seed=seed, progress=progress)
     if output is not None:
         found.save_sheet(output)
     report(found.figures, json, str(found))

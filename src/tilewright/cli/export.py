@@ -24,8 +24,8 @@ def command(
     Calls tilewright.save_atlas(material, path, map=map) or tilewright.save_array(material, path, map=map).
     """
     from tilewright.export import save_array, save_atlas
-    from tilewright.files import load
+    from tilewright.files import load_texture
 
     write = {"array": save_array, "atlas": save_atlas}[check_choice("--to", to, ("array", "atlas"))]
-    write(load(folder), output, map=map)
+    write(load_texture(folder), output, map=map)
     report({"file": str(output), "bytes": output.stat().st_size}, json, f"{output}")

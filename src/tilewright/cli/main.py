@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from tilewright import __version__
-from tilewright.cli import analyze, export, pack, render, texture, view
+from tilewright.cli import analyze, export, pack, points, render, texture, view
 from tilewright.cli.options import Ending
 from tilewright.errors import TilewrightError, TilewrightWarning
 
@@ -17,7 +17,7 @@ _INTERRUPTED = 130
 
 app = typer.Typer(
     name="tilewright",
-    help="Endless, non-repeating textures from Wang tiles and corner tiles.",
+    help="Endless, non-repeating textures and points from Wang tiles and corner tiles.",
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
@@ -42,7 +42,7 @@ def _root(
         raise typer.Exit(2)
 
 
-for command in (texture, render, view, analyze, pack, export):
+for command in (texture, render, view, points, analyze, pack, export):
     app.command(command.__name__.rsplit(".", 1)[-1])(command.command)
 
 

@@ -42,11 +42,11 @@ def command(
     gray, ...). Nothing here depends on --seed: it is the seed of construction.
     """
     from tilewright.fields import TextureField
-    from tilewright.files import load, read_image
+    from tilewright.files import load_texture, read_image
     from tilewright.tilings import density_tiling, stochastic
 
     started = time.perf_counter()
-    material = load(folder)
+    material = load_texture(folder)
     if density is not None:
         gray = read_image(density)
         tiling: Tiling = density_tiling(material.tiles, gray, lattice_seed, cells_per_pixel=cells_per_pixel)

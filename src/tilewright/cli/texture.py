@@ -46,7 +46,7 @@ def command(
     Calls tilewright.texture_tiles(photo, tiles, ...) and tilewright.save(material, folder); with --from
     tilewright.resynthesize(material, reject=..., pick=...).
     """
-    from tilewright.files import load, save, texture_tiles
+    from tilewright.files import load_texture, save, texture_tiles
     from tilewright.files.tileset_folder import check_savable
     from tilewright.signals.textures import resynthesize
 
@@ -61,7 +61,7 @@ def command(
                     f"{', '.join(sorted(kept))}"
                 )
             material = resynthesize(
-                load(from_), reject=reject or [], pick=picked, threads=threads, progress=progress
+                load_texture(from_), reject=reject or [], pick=picked, threads=threads, progress=progress
             )
         else:
             if reject:

@@ -22,8 +22,8 @@ def command(
     Calls tilewright.save_viewer(material, path, seed=lattice_seed).
     """
     from tilewright.export import save_viewer
-    from tilewright.files import load
+    from tilewright.files import load_texture
 
-    save_viewer(load(folder), output, seed=lattice_seed)
+    save_viewer(load_texture(folder), output, seed=lattice_seed)
     size = output.stat().st_size
     report({"file": str(output), "bytes": size}, json, f"{output}: {size / 1e6:.1f} MB")

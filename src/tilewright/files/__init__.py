@@ -1,7 +1,21 @@
-"""Tile-set folders, and the pictures people bring."""
+"""Tile-set folders, and the pictures and points people bring."""
 
 from tilewright.files.images import read_image, write_image
 from tilewright.files.materials import open_exemplar, texture_tiles
-from tilewright.files.tileset_folder import load, save
+from tilewright.files.point_files import read_points, write_points
+from tilewright.files.ready import ready_tiles
+from tilewright.files.tileset_folder import load, load_points, load_texture, save
 
-__all__ = ["load", "open_exemplar", "read_image", "save", "texture_tiles", "write_image"]
+__all__ = [
+    "load",
+    "load_points",
+    "load_texture",
+    "open_exemplar",
+    "read_image",
+    "read_points",
+    "ready_tiles",
+    "save",
+    "texture_tiles",
+    "write_image",
+    "write_points",
+]

@@ -154,6 +154,29 @@ def corner_coded_tiles(base: TileSet | None = None, *, scanline_only: bool = Fal
     return TileSet(CORNER_CODED, slots, base.colors + (2,) * 4, name)
 
 
+def crossed_wang_tiles(colors: int = 2) -> TileSet:
+    """Complete Wang tiles that also know the edges crossing at their corners (Lagae 2007, section 4.3).
+
+    C^12 tiles: a tile's own four edges and the eight others that meet its corners. The color of a corner
+    is ((north C + east) C + south) C + west of the edges around it. A tiling of these is a Wang tiling in
+    which each tile's corners are told apart by all that meets there, which solves the corner problem.
+
+    Parameters
+    ----------
+    colors : int
+        1 or 2; three colors would make 531,441 tiles.
+    """
+    c = check_int("colors", colors, 1, 2, "3 would make 531,441 tiles")
+    edges = decode(np.arange(c**12), (c,) * 12).astype(int).T
+    n, e, s, w = edges[:4]
+    # The edges beyond each corner: the column edge and the row edge that lead away from the tile.
+    (ne_n, ne_e), (se_e, se_s), (sw_s, sw_w), (nw_w, nw_n) = edges[4:].reshape(4, 2, -1)
+    corners = [(ne_n, ne_e, e, n), (e, se_e, se_s, s), (w, s, sw_s, sw_w), (nw_n, n, w, nw_w)]
+    codes = [((north * c + east) * c + south) * c + west for north, east, south, west in corners]
+    slots = np.stack([n, e, s, w, *codes], axis=1)
+    return TileSet(CORNER_CODED, slots, (c,) * 4 + (c**4,) * 4, "crossed")
+
+
 def _rank_among_alike(rows: NDArray[np.uint8]) -> NDArray[np.int64]:
     """For each row, how many equal rows come before it."""
     seen: dict[bytes, int] = {}

@@ -128,6 +128,16 @@ def edges(at: Lattice) -> Slots:
     return _edge_slots(planes)
 
 
+def crossings(at: Lattice) -> Slots:
+    """`crossed_wang_tiles`: the edges of a complete Wang set, and at every corner those that meet there."""
+    c = at.tiles.colors[0]
+    columns = at.hash.grid(c, _FIRST, 2 * at.points(0), 2 * at.points(1, 1) + 1)
+    rows = at.hash.grid(c, _FIRST, 2 * at.points(0, 1) + 1, 2 * at.points(1))
+    codes = ((columns[:-1] * c + rows[:, 1:]) * c + columns[1:]) * c + rows[:, :-1]
+    n, e, s, w = rows[:-1, 1:-1], columns[1:-1, 1:], rows[1:, 1:-1], columns[1:-1, :-1]
+    return (n, e, s, w, *corner_slots(codes))
+
+
 def two_hashes(at: Lattice) -> Slots:
     """Complete Wang sets from sums of two corner colorings (Lagae 2007, section 3.3.2.1)."""
     c_h, c_v = at.tiles.colors[:2]
@@ -187,6 +197,7 @@ CORNER_ALGORITHMS: dict[str, Callable[[Lattice], Colors]] = {
 EDGE_ALGORITHMS: dict[str, Callable[[Lattice], Slots]] = {
     "ends": ends,
     "edges": edges,
+    "crossings": crossings,
     "two-hashes": two_hashes,
     "sums": sums,
     "bits": bits,

@@ -19,6 +19,7 @@ from tilewright.tiles import (
     compact_corner_cubes,
     compact_wang_cubes,
     corner_tiles,
+    crossed_wang_tiles,
     shifted_wang_tiles,
     summed_wang_tiles,
 )
@@ -118,8 +119,8 @@ def direct(
         Complete sets: corner tiles (Lagae & Dutré 2006, section 4.2), Wang tiles, dominoes, corner cubes,
         Wang cubes, corner-coded sets. Compact sets: `corner_tiles` with ``choices``,
         `column_corner_tiles`, `summed_wang_tiles` (Lagae 2007, section 3.3.2.2), `shifted_wang_tiles`,
-        `compact_corner_cubes`, `compact_wang_cubes` where C is a power of two, and corner-coded sets over
-        any of these Wang sets, Cohen's 8 tiles among them. Other sets have `scanline`.
+        `compact_corner_cubes`, `compact_wang_cubes` where C is a power of two, corner-coded sets over any of
+        these Wang sets, Cohen's 8 tiles among them, and `crossed_wang_tiles`. Other sets have `scanline`.
     seed : int
         0 to 2^64 - 1; the tile of a cell depends on the cell and the seed only.
     hash : str or LatticeHash
@@ -199,7 +200,9 @@ def _recognize_corners(tiles: TileSet, c: int) -> str | None:
 
 
 def _recognize_coded(tiles: TileSet) -> str | None:
-    """Wang sets with a direct algorithm, every tile with all combinations of marks."""
+    """`crossed_wang_tiles`, and Wang sets with a direct algorithm in all combinations of marks."""
+    if tiles.colors[0] <= 2 and _same(tiles, crossed_wang_tiles(tiles.colors[0])):
+        return "crossings"
     base = TileSet(WANG, np.unique(tiles.slots[:, :4], axis=0), tiles.colors[:4])
     marks = set(tiles.colors[4:])
     if len(marks) > 1 or len(tiles) != len(base) * marks.pop() ** 4:

@@ -1,0 +1,241 @@
+"""Point sets in files that other programs read: NPY, CSV, Parquet and PLY."""
+
+import json
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightValueError
+from tilewright.files.whole import as_path, check_file, whole_file
+from tilewright.samplers.box import Box, as_points
+from tilewright.samplers.point_set import PointSet
+
+if TYPE_CHECKING:
+    import pyarrow
+
+Blocks = Iterable[NDArray[np.float64]]
+
+_NOTE = b"tilewright"
+"""Key of the Parquet metadata that says which box the points lie in."""
+
+
+def write_points(path: str | Path, points: PointSet | NDArray[np.float64] | Blocks, count: int = 0) -> None:
+    """Write points, a block at a time where they come so; the file appears when it is complete.
+
+    Parameters
+    ----------
+    path : str or Path
+        ``.npy``: float64, shape (n, 2). ``.csv``: columns x, y under a header. ``.parquet``: columns x, y,
+        and the box of a PointSet. ``.ply``: binary vertices, z = 0.
+    points : PointSet, array of shape (n, 2), or iterable of such arrays
+    count : int
+        How many points an iterable gives; NPY and PLY say so before the first.
+
+    Raises
+    ------
+    TilewrightFileError
+        A name of another kind; a file that cannot be written.
+    """
+    target = check_point_file(path)
+    if isinstance(points, PointSet):
+        box: Box | None = points.box
+        blocks: Blocks = [points.points]
+        count = len(points)
+    elif isinstance(points, np.ndarray):
+        box, blocks, count = None, [as_points(points)], len(points)
+    else:
+        box, blocks = None, points
+    with whole_file(target) as unfinished:
+        _WRITERS[target.suffix.lower()](unfinished, blocks, count, box)
+
+
+def check_point_file(path: str | Path) -> Path:
+    """A path `write_points` can write to, told before long work."""
+    target = as_path(path)
+    if target.suffix.lower() not in _WRITERS:
+        raise TilewrightFileError(f"{target} is not the name of a point file; use {', '.join(_WRITERS)}")
+    check_file(target)
+    return target
+
+
+def read_points(path: str | Path, box: Box | None = None) -> PointSet:
+    """Read points: the first two columns, or those called x and y.
+
+    Parameters
+    ----------
+    path : str or Path
+        ``.npy``, ``.npz`` (an array called points, or the only one), ``.csv``, ``.txt`` or ``.parquet``.
+    box : Box, optional
+        Where the points lie. By default the one a Parquet file names, else the smallest plain box around
+        them, half a mean spacing wider on every side, to whose corner they are moved.
+
+    Raises
+    ------
+    TilewrightFileError
+        No such file, one of another kind, damaged, with fewer than two columns, text, or NaN.
+    """
+    source = as_path(path)
+    if source.suffix.lower() not in _READERS:
+        raise TilewrightFileError(f"{source} is not a point file; {', '.join(_READERS)} can be read")
+    if not source.is_file():
+        raise TilewrightFileError(f"{source} is not a file")
+    try:
+        table, noted = _READERS[source.suffix.lower()](source)
+        points = as_points(_two_columns(table))
+        if not len(points):
+            raise TilewrightValueError("no points")
+        if box is None and noted is None:
+            points, box = _put_in_box(points)
+        found = box or noted or Box()
+        return PointSet(found.check_points(points), found, source.stem)
+    except TilewrightError as error:
+        raise TilewrightFileError(f"{source}: {error}") from None
+    except OSError as error:
+        raise TilewrightFileError(
+            f"{source} cannot be read: {(error.strerror or str(error)).lower()}"
+        ) from None
+    except Exception as error:  # of parsers of three libraries
+        reason = str(error).splitlines()[0] if str(error) else type(error).__name__
+        raise TilewrightFileError(f"{source} is damaged or not what its name says: {reason}") from None
+
+
+def _write_npy(path: Path, blocks: Blocks, count: int, box: Box | None) -> None:
+    with path.open("wb") as stream:
+        header = {"descr": "<f8", "fortran_order": False, "shape": (count, 2)}
+        np.lib.format.write_array_header_1_0(stream, header)
+        for block in blocks:
+            stream.write(np.ascontiguousarray(block, "<f8").data)
+
+
+def _write_ply(path: Path, blocks: Blocks, count: int, box: Box | None) -> None:
+    kind = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8")])
+    with path.open("wb") as stream:
+        lines = ["ply", "format binary_little_endian 1.0", f"element vertex {count}"]
+        lines += [f"property double {axis}" for axis in "xyz"]
+        stream.write("\n".join([*lines, "end_header", ""]).encode())
+        for block in blocks:
+            vertices = np.zeros(len(block), kind)
+            vertices["x"], vertices["y"] = block.T
+            stream.write(vertices.tobytes())
+
+
+def _write_csv(path: Path, blocks: Blocks, count: int, box: Box | None) -> None:
+    import pyarrow.csv
+
+    plain = pyarrow.csv.WriteOptions(quoting_style="none")
+    with pyarrow.csv.CSVWriter(path, _schema(None), write_options=plain) as writer:
+        for block in blocks:
+            writer.write(_table(block))
+
+
+def _write_parquet(path: Path, blocks: Blocks, count: int, box: Box | None) -> None:
+    import pyarrow.parquet
+
+    with pyarrow.parquet.ParquetWriter(path, _schema(box)) as writer:
+        for block in blocks:
+            writer.write_table(_table(block).cast(_schema(box)))
+
+
+def _schema(box: Box | None) -> "pyarrow.Schema":
+    import pyarrow
+
+    note = {} if box is None else {_NOTE: json.dumps({"extent": box.extent, "torus": box.torus})}
+    return pyarrow.schema([("x", pyarrow.float64()), ("y", pyarrow.float64())], note)
+
+
+def _table(block: NDArray[np.float64]) -> "pyarrow.Table":
+    import pyarrow
+
+    x, y = np.ascontiguousarray(block.T)
+    return pyarrow.table({"x": x, "y": y})
+
+
+_WRITERS: dict[str, Callable[[Path, Blocks, int, Box | None], None]] = {
+    ".npy": _write_npy,
+    ".csv": _write_csv,
+    ".parquet": _write_parquet,
+    ".ply": _write_ply,
+}
+
+
+def _read_npy(path: Path) -> tuple[Any, None]:
+    return np.load(path, allow_pickle=False), None
+
+
+def _read_npz(path: Path) -> tuple[Any, None]:
+    with np.load(path, allow_pickle=False) as stored:
+        names = list(stored)
+        if "points" not in names and len(names) != 1:
+            raise TilewrightValueError(
+                f"holds {', '.join(names) or 'nothing'}; expected an array called points"
+            )
+        return stored["points" if "points" in names else names[0]], None
+
+
+def _read_csv(path: Path) -> tuple[Any, None]:
+    import pyarrow.csv
+
+    with path.open("rb") as stream:
+        first = stream.readline(4096).decode("utf-8", "replace")
+    delimiter = next((d for d in ",;\t" if d in first), " ")
+    has_header = any(
+        c.isalpha() for c in first.lower().replace("e", "").replace("nan", "").replace("inf", "")
+    )
+    table = pyarrow.csv.read_csv(
+        path,
+        read_options=pyarrow.csv.ReadOptions(autogenerate_column_names=not has_header),
+        parse_options=pyarrow.csv.ParseOptions(delimiter=delimiter),
+    )
+    return {name: table.column(name).to_numpy() for name in table.column_names}, None
+
+
+def _read_parquet(path: Path) -> tuple[Any, Box | None]:
+    import pyarrow.parquet
+
+    table = pyarrow.parquet.read_table(path)
+    note = (table.schema.metadata or {}).get(_NOTE)
+    box = None
+    if note is not None:
+        known = json.loads(note)
+        box = Box(tuple(known["extent"]), known["torus"])
+    return {name: table.column(name).to_numpy() for name in table.column_names}, box
+
+
+_READERS: dict[str, Callable[[Path], tuple[Any, Box | None]]] = {
+    ".npy": _read_npy,
+    ".npz": _read_npz,
+    ".csv": _read_csv,
+    ".txt": _read_csv,
+    ".parquet": _read_parquet,
+}
+
+
+def _two_columns(table: Any) -> NDArray[Any]:
+    """x and y of a table with named columns, or of an array."""
+    if isinstance(table, dict):
+        names = ["x", "y"] if {"x", "y"} <= set(table) else list(table)[:2]
+        if len(names) < 2:
+            raise TilewrightValueError(f"has one column, {', '.join(table)}; points need x and y")
+        for name in names:
+            if table[name].dtype.kind not in "iuf":
+                raise TilewrightValueError(f"column {name} holds {table[name].dtype}, not numbers")
+        return np.stack([table[name] for name in names], axis=1)
+    if table.dtype.kind not in "iuf" or table.ndim != 2 or table.shape[1] < 2:
+        raise TilewrightValueError(f"holds {table.dtype} {table.shape}; points are numbers, shape (n, 2)")
+    two: NDArray[Any] = table[:, :2]
+    return two
+
+
+def _put_in_box(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], Box]:
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = high - low
+    if not (size > 0).all():
+        raise TilewrightValueError(
+            "all points lie on a line along an axis; give the box they are meant to fill"
+        )
+    margin = 0.5 * np.sqrt(size.prod() / len(points))
+    box = Box(tuple((size + 2 * margin).tolist()), torus=False)
+    return points - low + margin, box

@@ -1,0 +1,78 @@
+"""Point tiles in a tile-set folder: one NPZ file with the points of all tiles."""
+
+from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile
+
+import msgspec
+import numpy as np
+
+from tilewright import __version__
+from tilewright.errors import TilewrightFileError
+from tilewright.files.manifest import SCHEMA, Reader, Tiles, Writer
+from tilewright.signals.points import PointTiles
+
+_ARRAYS = {"points": np.float32, "starts": np.int64, "ranks": np.float32}
+
+
+class PointManifest(msgspec.Struct, forbid_unknown_fields=True):
+    """What ``tileset.json`` of a point set holds."""
+
+    schema: int
+    program: str
+    signal: str
+    tiles: Tiles
+    variants: int
+    distance: float
+    method: str
+    points: str
+    recipe: dict[str, Any]
+    figures: dict[str, Any]
+    checksums: dict[str, str]
+
+
+def write_point_tiles(folder: Path, tiles: PointTiles) -> None:
+    """Fill an empty folder."""
+    writer = Writer(folder)
+    name, target = writer.free("points.npz")
+    np.savez_compressed(target, **{array: getattr(tiles, array) for array in _ARRAYS})
+    writer.seal(name)
+    writer.finish(
+        PointManifest(
+            SCHEMA,
+            f"tilewright {__version__}",
+            "points",
+            Tiles.of(tiles.tiles),
+            tiles.variants,
+            tiles.distance,
+            tiles.method,
+            name,
+            tiles.recipe,
+            tiles.figures,
+            writer.checksums,
+        )
+    )
+
+
+def read_point_tiles(folder: Path, manifest: PointManifest) -> PointTiles:
+    """The point tiles of a folder, every file checked."""
+    path = Reader(folder, manifest.checksums).path(manifest.points)
+    try:
+        with np.load(path, allow_pickle=False) as stored:
+            arrays = {name: stored[name] for name in _ARRAYS}
+    except (ValueError, KeyError, BadZipFile, EOFError) as error:
+        raise TilewrightFileError(f"{path} does not hold the arrays {', '.join(_ARRAYS)}: {error}") from None
+    for name, kind in _ARRAYS.items():
+        if arrays[name].dtype != kind:
+            raise TilewrightFileError(f"{path}: {name} is {arrays[name].dtype}; expected {np.dtype(kind)}")
+    return PointTiles(
+        manifest.tiles.make(),
+        arrays["points"],
+        arrays["starts"],
+        arrays["ranks"],
+        manifest.variants,
+        manifest.distance,
+        manifest.method,
+        manifest.recipe,
+        manifest.figures,
+    )

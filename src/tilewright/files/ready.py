@@ -1,0 +1,38 @@
+"""Point tiles that come with the package, so that points need no construction."""
+
+from importlib.resources import as_file, files
+
+from tilewright.errors import TilewrightValueError
+from tilewright.files.tileset_folder import load_points
+from tilewright.signals.points import PointTiles
+
+READY = ((4, 32, 0.75), (4, 32, 0.70), (3, 32, 0.75), (4, 64, 0.75), (6, 32, 0.70))
+"""Colors, points per tile and rho of the sets that come with the package."""
+
+
+def ready_tiles(colors: int = 4, points: int = 32, rho: float = 0.75) -> PointTiles:
+    """Balanced corner-based point tiles, made by `poisson_tiles` with seed 0 and stored with the package.
+
+    Parameters
+    ----------
+    colors, points, rho
+        One of `READY`: (4, 32, 0.75), (4, 32, 0.70), (3, 32, 0.75), (4, 64, 0.75), (6, 32, 0.70).
+
+    Raises
+    ------
+    TilewrightValueError
+        There is no such set; the message names those there are.
+    """
+    if (colors, points, rho) not in READY:
+        known = "; ".join(f"{c}, {n}, {r:.2f}" for c, n, r in READY)
+        raise TilewrightValueError(
+            f"no set of {colors} colors, {points} points and rho {rho} comes with the package; there are "
+            f"{known}, and poisson_tiles() makes any other"
+        )
+    with as_file(files("tilewright.files") / "ready_tiles" / folder_name(colors, points, rho)) as folder:
+        return load_points(folder)
+
+
+def folder_name(colors: int, points: int, rho: float) -> str:
+    """Where a set lies below the package's folder of sets."""
+    return f"corner-{colors}-{points}-{round(100 * rho)}"

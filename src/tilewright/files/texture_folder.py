@@ -1,0 +1,147 @@
+"""Texture tiles in a tile-set folder: plain images."""
+
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright import __version__
+from tilewright.errors import TilewrightFileError
+from tilewright.files.images import lossless_suffix, read_image, write_image
+from tilewright.files.manifest import SCHEMA, Reader, Tiles, Writer
+from tilewright.signals.textures import TextureTiles
+
+
+class TextureManifest(msgspec.Struct, forbid_unknown_fields=True):
+    """What ``tileset.json`` of a texture holds."""
+
+    schema: int
+    program: str
+    signal: str
+    tile_size: int
+    tiles: Tiles
+    maps: dict[str, list[str]]
+    origins: list[str]
+    sources: list[dict[str, str]]
+    masks: list[str]
+    recipe: dict[str, Any]
+    checksums: dict[str, str]
+
+
+def write_texture(folder: Path, material: TextureTiles) -> None:
+    """Fill an empty folder."""
+    writer = Writer(folder)
+
+    def image(name: str, pixels: NDArray[Any]) -> str:
+        name, target = writer.free(name)
+        write_image(target, pixels)
+        return writer.seal(name)
+
+    count = len(material.tiles)
+    digits = len(str(count - 1))
+    maps = {
+        name: [
+            image(f"{_safe(name)}/{t:0{digits}d}{lossless_suffix(pixels.dtype)}", pixels[t])
+            for t in range(count)
+        ]
+        for name, pixels in material.maps.items()
+    }
+    origins = [image(f"origins/{t:0{digits}d}.png", material.origins[t]) for t in range(count)]
+    sources = [
+        {
+            name: image(f"exemplar/{s}-{_safe(name)}{lossless_suffix(pixels.dtype)}", pixels)
+            for name, pixels in source.items()
+        }
+        for s, source in enumerate(material.sources)
+    ]
+    masks = [
+        image(f"exemplar/{s}-mask.png", mask[..., np.newaxis].astype(np.uint8) * 255)
+        for s, mask in enumerate(material.masks)
+    ]
+    writer.finish(
+        TextureManifest(
+            SCHEMA,
+            f"tilewright {__version__}",
+            "texture",
+            material.tile_size,
+            Tiles.of(material.tiles),
+            maps,
+            origins,
+            sources,
+            masks,
+            material.recipe,
+            writer.checksums,
+        )
+    )
+
+
+def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
+    """The material of a folder, every file checked."""
+    reader = Reader(folder, manifest.checksums)
+
+    def image(name: str) -> NDArray[Any]:
+        return read_image(reader.path(name))
+
+    tiles = manifest.tiles.make()
+    size, count = manifest.tile_size, len(tiles)
+    maps = {n: _stack(n, [image(f) for f in files], count, size) for n, files in manifest.maps.items()}
+    origins = _stack("origins", [image(f) for f in manifest.origins], count, size)
+    sources = tuple({n: image(f) for n, f in source.items()} for source in manifest.sources)
+    masks = tuple(image(f)[..., 0] > 127 for f in manifest.masks)
+    _check_sources(sources, masks, maps)
+    _check_origins(origins, sources)
+    return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks)
+
+
+def _stack(name: str, pictures: list[NDArray[Any]], count: int, size: int) -> NDArray[Any]:
+    if len(pictures) != count:
+        raise TilewrightFileError(f"{name} lists {len(pictures)} tiles; the set has {count}")
+    for t, picture in enumerate(pictures):
+        if picture.shape != (size, size, pictures[0].shape[2]) or picture.dtype != pictures[0].dtype:
+            raise TilewrightFileError(
+                f"tile {t} of {name} is {picture.dtype} {picture.shape}; expected {pictures[0].dtype} "
+                f"{(size, size, pictures[0].shape[2])}"
+            )
+    return np.stack(pictures)
+
+
+def _check_sources(
+    sources: tuple[dict[str, NDArray[Any]], ...],
+    masks: tuple[NDArray[np.bool_], ...],
+    maps: dict[str, NDArray[Any]],
+) -> None:
+    """Raise unless every source has all maps, of one size, and masks, if any, fit."""
+    if not sources or len(masks) not in (0, len(sources)):
+        raise TilewrightFileError(
+            f"there are {len(sources)} sources and {len(masks)} masks; expected as many"
+        )
+    for number, source in enumerate(sources):
+        if list(source) != list(maps):
+            raise TilewrightFileError(f"source {number} has maps {list(source)}; the tiles have {list(maps)}")
+        sizes = [pixels.shape[:2] for pixels in (*source.values(), *masks[number : number + 1])]
+        if len(set(sizes)) > 1:
+            raise TilewrightFileError(f"the maps and mask of source {number} differ in size: {sizes}")
+        for name, pixels in source.items():
+            if (pixels.dtype, pixels.shape[2]) != (maps[name].dtype, maps[name].shape[3]):
+                raise TilewrightFileError(
+                    f"map {name!r} of source {number} is {pixels.dtype} with {pixels.shape[2]} channels; its "
+                    f"tiles are {maps[name].dtype} with {maps[name].shape[3]}"
+                )
+
+
+def _check_origins(origins: NDArray[Any], sources: tuple[dict[str, NDArray[Any]], ...]) -> None:
+    """Raise unless every origin is a pixel of a source."""
+    if origins.dtype != np.uint16 or origins.shape[3] != 3:
+        raise TilewrightFileError("origins must be 16-bit images with three channels")
+    sizes = np.array([next(iter(source.values())).shape[:2] for source in sources])
+    for t, spots in enumerate(origins):
+        number = spots[..., 0]
+        if number.max() >= len(sources) or (spots[..., 1:] >= sizes[number]).any():
+            raise TilewrightFileError(f"tile {t} of origins names a pixel outside its source")
+
+
+def _safe(name: str) -> str:
+    """A map's name as part of a file name."""
+    return "".join(c if c.isalnum() or c in "-_" else "_" for c in name) or "map"

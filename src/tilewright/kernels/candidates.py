@@ -1,0 +1,153 @@
+"""The farthest of many candidates (Mitchell 1991), in any dimension.
+
+Of n candidates nearly all are near a point and lose. Where they may be farther from all points than some
+distance is kept as a list of small cells; only candidates in those are drawn, as many as would have fallen
+there. Names of the grid of points as in `darts`; gaps : float64 (m,), squared distances of the cells at
+``offsets``.
+"""
+
+import numpy as np
+
+from tilewright.kernels.chance import draw_unit
+from tilewright.kernels.compiled import kernel
+from tilewright.kernels.darts import find_cell, find_home, find_square, place
+
+
+@kernel()
+def find_nearest(point, home, enough, placed, points, heads, after, counts, extent, torus, offsets, gaps):
+    """Squared distance to the nearest of the points, or any that is no more than ``enough``."""
+    nearest = np.inf
+    for k in range(offsets.shape[0]):
+        if gaps[k] >= nearest:
+            return nearest
+        cell = find_cell(home, offsets, k, counts, torus)
+        if cell < 0:
+            continue
+        i = heads[cell]
+        while i >= 0:
+            nearest = min(nearest, find_square(point, points, i, extent, torus))
+            if nearest <= enough:
+                return nearest
+            i = after[i]
+    # Farther than the grid looks around: ask them all.
+    for i in range(placed):
+        nearest = min(nearest, find_square(point, points, i, extent, torus))
+    return nearest
+
+
+@kernel()
+def find_corner(cell, sizes, extent, corner):
+    """The low corner of a small cell, from its number in C order."""
+    for b in range(sizes.size):
+        a = sizes.size - 1 - b
+        corner[a] = (cell % sizes[a]) * extent[a] / sizes[a]
+        cell //= sizes[a]
+
+
+@kernel()
+def measure_cells(sizes, placed, points, heads, after, counts, extent, torus, offsets, gaps, distances):
+    """Distance from the middle of every small cell to the nearest point.
+
+    sizes : int64 (d,), small cells along each axis. distances : float64 (prod(sizes),), filled.
+    """
+    d = extent.size
+    middle, home = np.empty(d), np.empty(d, np.int64)
+    for cell in range(distances.size):
+        find_corner(cell, sizes, extent, middle)
+        for a in range(d):
+            middle[a] += 0.5 * extent[a] / sizes[a]
+        find_home(middle, counts, extent, home)
+        distances[cell] = np.sqrt(
+            find_nearest(
+                middle, home, -1.0, placed, points, heads, after, counts, extent, torus, offsets, gaps
+            )
+        )
+
+
+@kernel()
+def drop_cells(point, threshold, spread, live, places, living, sizes, around, extent, torus):
+    """Take the cells off the list that lie within ``threshold`` of a new point; how many are left.
+
+    spread : from the middle of a cell to a corner. around : int64 (m, d), offsets to such cells.
+    """
+    d = extent.size
+    home, corner = np.empty(d, np.int64), np.empty(d)
+    find_home(point, sizes, extent, home)
+    for k in range(around.shape[0]):
+        cell = find_cell(home, around, k, sizes, torus)
+        if cell < 0 or places[cell] < 0:
+            continue
+        find_corner(cell, sizes, extent, corner)
+        square = 0.0
+        for a in range(d):
+            gap = abs(corner[a] + 0.5 * extent[a] / sizes[a] - point[a])
+            if torus:
+                gap = min(gap, extent[a] - gap)
+            square += gap * gap
+        if np.sqrt(square) + spread <= threshold:
+            living -= 1
+            live[places[cell]] = live[living]
+            places[live[living]] = places[cell]
+            places[cell] = -1
+    return living
+
+
+@kernel()
+def draw_candidate(key, drawn, threshold, live, living, sizes, extent, dart):
+    """A dart anywhere or, where a threshold is set, in one of the cells that count; numbers drawn then."""
+    d = extent.size
+    if threshold < 0:
+        for a in range(d):
+            dart[a] = draw_unit(key, drawn + a) * extent[a]
+        return drawn + d
+    find_corner(live[np.int64(draw_unit(key, drawn) * living)], sizes, extent, dart)
+    for a in range(d):
+        dart[a] += draw_unit(key, drawn + 1 + a) * extent[a] / sizes[a]
+        dart[a] = min(dart[a], np.nextafter(extent[a], 0.0))
+    return drawn + 1 + d
+
+
+@kernel()
+def add_farthest(
+    key, drawn, multiple, placed, last, few, threshold, spread, live, places, living, sizes, around,
+    points, heads, after, counts, extent, torus, offsets, gaps,
+):  # fmt: skip
+    """Place points up to ``last``, each the farthest from all before of so many candidates as there are
+    points before, times ``multiple``.
+
+    threshold : what the distance is at least of places that count, or -1 for all. live : int32, cells that
+    may have such places, ``living`` of them; places : int32 (prod(sizes),), where in it each cell is, or -1.
+    Stops after fewer than ``few`` candidates that count, or before placing one if there was none. Returns
+    how many numbers were drawn, the points placed, the cells left and the candidates that counted.
+    """
+    d = extent.size
+    dart, best, home = np.empty(d), np.empty(d), np.empty(d, np.int64)
+    hits = few
+    while placed < last and hits >= few:
+        candidates = max(multiple * placed, 1)
+        rarity = np.log1p(-living / places.size) if threshold >= 0 else 0.0
+        farthest, hits, c = -1.0, 0, 0
+        while True:
+            if threshold >= 0:  # candidates that fall elsewhere: so many before the next one
+                c += np.int64(min(np.log1p(-draw_unit(key, drawn)) / rarity, 1e15))
+                drawn += 1
+            if c >= candidates:
+                break
+            c += 1
+            drawn = draw_candidate(key, drawn, threshold, live, living, sizes, extent, dart)
+            find_home(dart, counts, extent, home)
+            enough = threshold * threshold if threshold >= 0 else farthest
+            square = find_nearest(
+                dart, home, enough, placed, points, heads, after, counts, extent, torus, offsets, gaps
+            )
+            hits += square > enough or threshold < 0
+            if square > farthest:
+                farthest = square
+                best[:] = dart
+        if hits == 0:
+            break
+        place(best, find_home(best, counts, extent, home), placed, points, heads, after)
+        placed += 1
+        if threshold >= 0:
+            living = drop_cells(best, threshold, spread, live, places, living, sizes, around, extent, torus)
+    return drawn, placed, living, hits

@@ -1,0 +1,194 @@
+"""Darts that stay where no point is near, looked up on a grid, in any dimension.
+
+points : float64 (n, d). heads : int32, C-ordered, a point of each cell or -1; after : int32 (n,), for each
+point the next of its cell or -1. counts : int64 (d,), cells along each axis. extent : float64 (d,), size of
+the box. offsets : int64 (m, d), cells to look at around a cell, nearest first. home : int64 (d,), scratch.
+"""
+
+import numpy as np
+
+from tilewright.kernels.chance import draw_unit, draw_word
+from tilewright.kernels.compiled import kernel
+from tilewright.kernels.polygons import put_inside
+
+
+@kernel(inline=True)
+def find_home(point, counts, extent, home):
+    """The cell of a point, into ``home``; its number in C order."""
+    cell = np.int64(0)
+    for a in range(extent.size):
+        home[a] = min(np.int64(point[a] * counts[a] / extent[a]), counts[a] - 1)
+        cell = cell * counts[a] + home[a]
+    return cell
+
+
+@kernel(inline=True)
+def find_cell(home, offsets, k, counts, torus):
+    """Number of the cell at offset k from ``home``, or -1 outside a plain box."""
+    cell = np.int64(0)
+    for a in range(home.size):
+        at = home[a] + offsets[k, a]
+        if at < 0 or at >= counts[a]:
+            if not torus:
+                return np.int64(-1)
+            at %= counts[a]
+        cell = cell * counts[a] + at
+    return cell
+
+
+@kernel(inline=True)
+def find_square(point, points, i, extent, torus):
+    """Squared distance to point i, or to the nearest of its images on a torus."""
+    square = 0.0
+    for a in range(extent.size):
+        gap = abs(points[i, a] - point[a])
+        if torus:
+            gap = min(gap, extent[a] - gap)
+        square += gap * gap
+    return square
+
+
+@kernel(inline=True)
+def is_free(point, home, points, heads, after, counts, extent, torus, offsets, least):
+    """Whether no point is closer to ``point``, in cell ``home``, than the square root of ``least``."""
+    for k in range(offsets.shape[0]):
+        cell = find_cell(home, offsets, k, counts, torus)
+        if cell < 0:
+            continue
+        i = heads[cell]
+        while i >= 0:
+            if find_square(point, points, i, extent, torus) < least:
+                return False
+            i = after[i]
+    return True
+
+
+@kernel(inline=True)
+def place(point, cell, i, points, heads, after):
+    """Make ``point`` the point i, in its cell."""
+    for a in range(point.size):
+        points[i, a] = point[a]
+    after[i] = heads[cell]
+    heads[cell] = i
+
+
+@kernel()
+def fill_grid(points, placed, heads, after, counts, extent):
+    """Put the first ``placed`` points into the cells of an empty grid."""
+    home = np.empty(extent.size, np.int64)
+    for i in range(placed):
+        cell = find_home(points[i], counts, extent, home)
+        after[i] = heads[cell]
+        heads[cell] = i
+
+
+@kernel()
+def throw_darts(key, darts, thrown, placed, distance, extent, torus, counts, offsets, points, heads, after):
+    """Throw up to ``darts`` more darts; return how many were thrown and how many points there are.
+
+    A dart stays if no point is closer than ``distance`` (Cook 1986). thrown, placed : what earlier calls
+    came to. points and the grid are filled on.
+    """
+    d = extent.size
+    dart, home = np.empty(d), np.empty(d, np.int64)
+    least = distance * distance
+    last = thrown + darts
+    while thrown < last and placed < points.shape[0]:
+        for a in range(d):
+            dart[a] = draw_unit(key, thrown * d + a) * extent[a]
+        thrown += 1
+        cell = find_home(dart, counts, extent, home)
+        if is_free(dart, home, points, heads, after, counts, extent, torus, offsets, least):
+            place(dart, cell, placed, points, heads, after)
+            placed += 1
+    return thrown, placed
+
+
+@kernel()
+def relax_darts(
+    key, darts, thrown, placed, missed, distance, floor, factor, patience,
+    extent, torus, counts, offsets, points, heads, after,
+):  # fmt: skip
+    """Darts as in `throw_darts` whose distance shrinks by ``factor`` after ``patience`` misses in a row
+    (McCool & Fiume 1992); return darts thrown, points placed, misses in a row and the distance.
+
+    Stops once the distance is below ``floor``, for which the grid is made.
+    """
+    d = extent.size
+    dart, home = np.empty(d), np.empty(d, np.int64)
+    last = thrown + darts
+    while thrown < last and placed < points.shape[0] and distance >= floor:
+        for a in range(d):
+            dart[a] = draw_unit(key, thrown * d + a) * extent[a]
+        thrown += 1
+        cell = find_home(dart, counts, extent, home)
+        if is_free(dart, home, points, heads, after, counts, extent, torus, offsets, distance * distance):
+            place(dart, cell, placed, points, heads, after)
+            placed += 1
+            missed = 0
+        else:
+            missed += 1
+            if missed == patience:
+                distance *= factor
+                missed = 0
+    return thrown, placed, missed, distance
+
+
+@kernel()
+def draw_around(key, drawn, center, distance, extent, torus, dart):
+    """A dart at one to two times ``distance`` from ``center``, uniform; whether it is in the box, and how
+    many numbers were drawn."""
+    d = extent.size
+    while True:
+        square = 0.0
+        for a in range(d):
+            dart[a] = 4.0 * draw_unit(key, drawn + a) - 2.0
+            square += dart[a] * dart[a]
+        drawn += d
+        if 1.0 <= square < 4.0:
+            break
+    inside = True
+    for a in range(d):
+        at = center[a] + dart[a] * distance
+        inside = inside and (torus or 0 <= at < extent[a])
+        dart[a] = put_inside(at, extent[a], torus)
+    return inside, drawn
+
+
+@kernel()
+def grow_around(
+    key, drawn, placed, last, waiting, active, tries, distance, extent, torus, counts, offsets,
+    points, heads, after,
+):  # fmt: skip
+    """Throw darts around points until none waits or there are ``last``.
+
+    A point waits until ``tries`` darts in a row have found no room around it. active : int32 (n,), the points
+    that wait. points and the grid are filled on. Returns how many numbers were drawn, the points placed and
+    how many wait.
+    """
+    d = extent.size
+    dart, home = np.empty(d), np.empty(d, np.int64)
+    if placed == 0:
+        for a in range(d):
+            dart[a] = draw_unit(key, a) * extent[a]
+        place(dart, find_home(dart, counts, extent, home), 0, points, heads, after)
+        active[0] = 0
+        drawn, placed, waiting = d, 1, 1
+    while waiting > 0 and placed < last:
+        at = np.int64(draw_word(key, drawn) % np.uint64(waiting))
+        drawn += 1
+        found = False
+        for _ in range(tries):
+            inside, drawn = draw_around(key, drawn, points[active[at]], distance, extent, torus, dart)
+            if not inside:
+                continue
+            cell = find_home(dart, counts, extent, home)
+            if is_free(dart, home, points, heads, after, counts, extent, torus, offsets, distance * distance):
+                place(dart, cell, placed, points, heads, after)
+                active[waiting] = placed
+                placed, waiting, found = placed + 1, waiting + 1, True
+                break
+        if not found:
+            waiting -= 1
+            active[at] = active[waiting]
+    return drawn, placed, waiting

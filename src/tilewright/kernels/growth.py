@@ -1,0 +1,345 @@
+"""Growing points in parts of a small torus of tiles: darts of a shrinking radius, then pushing apart.
+
+The torus has W x H tiles; its parts are the corner regions, edge strips and interiors that a radius r
+divides tiles into. ``part_at`` numbers them; ``open`` says which of them take new points.
+"""
+
+import numba
+import numpy as np
+
+from tilewright.kernels.chance import draw_unit, draw_word
+from tilewright.kernels.compiled import kernel
+from tilewright.kernels.polygons import cut_cell, enlarge, find_centroid, find_reach, is_cut, start_cell
+
+CORNER, ROW_EDGE, COLUMN_EDGE, INTERIOR = 0, 1, 2, 3
+"""Kinds of parts. A row edge lies on a line y = integer, east of its lattice point."""
+
+_SHRINK, _FAILURES = 0.99, 300
+_HALVINGS = 4
+
+
+@kernel(inline=True)
+def kind_at(x, y, r, cusp):
+    """Kind of the part that holds a point of the tile lattice."""
+    s = r * 1.4142135623730951
+    ax, ay = abs(x - np.floor(x + 0.5)), abs(y - np.floor(y + 0.5))
+    if cusp:
+        corner = (ay <= r and ax <= s + ay) or (ax <= r and ay <= s + ax)
+    else:
+        corner = ax <= s + r and ay <= s + r and ax + ay <= s + 2.0 * r
+    if corner:
+        return 0
+    if ay <= r:
+        return 1
+    if ax <= r:
+        return 2
+    return 3
+
+
+@kernel(inline=True)
+def part_at(x, y, width, height, r, cusp):
+    """Number of the part: kind + 4 (column + width row) of its tile or lattice point."""
+    kind = kind_at(x, y, r, cusp)
+    column = np.int64(np.floor(x + 0.5)) if kind == 0 or kind == 2 else np.int64(np.floor(x))
+    row = np.int64(np.floor(y + 0.5)) if kind == 0 or kind == 1 else np.int64(np.floor(y))
+    return kind + 4 * (column % width + width * (row % height))
+
+
+@kernel()
+def nearest_square(x, y, points, count, skip, width, height):
+    """Squared distance on the torus to the nearest of ``count`` points but number ``skip``."""
+    least = np.inf
+    for j in range(count):
+        if j == skip:
+            continue
+        dx, dy = abs(points[j, 0] - x) % width, abs(points[j, 1] - y) % height
+        dx, dy = min(dx, width - dx), min(dy, height - dy)
+        least = min(least, dx * dx + dy * dy)
+    return least
+
+
+@kernel()
+def is_crowded(x, y, points, count, width, height, least):
+    """Whether one of ``count`` points is closer than the square root of ``least`` on the torus."""
+    for j in range(count):
+        dx, dy = abs(points[j, 0] - x), abs(points[j, 1] - y)
+        if dx > 0.5 * width:
+            dx = abs(dx - width * np.round(dx / width))
+        if dy > 0.5 * height:
+            dy = abs(dy - height * np.round(dy / height))
+        if dx * dx + dy * dy < least:
+            return True
+    return False
+
+
+@kernel()
+def throw_relaxed(key, points, fixed, count, width, height, r, cusp, open, distance):
+    """Fill points[fixed:count] by relaxation dart throwing (McCool & Fiume 1992) in the open parts.
+
+    The first darts keep ``distance``, which shrinks by a factor after so many failures.
+    """
+    failures, thrown = 0, 0
+    placed = fixed
+    while placed < count:
+        x, y = draw_unit(key, thrown) * width, draw_unit(key, thrown + 1) * height
+        thrown += 2
+        if open[part_at(x, y, width, height, r, cusp)]:
+            if not is_crowded(x, y, points, placed, width, height, distance * distance):
+                points[placed, 0], points[placed, 1] = x, y
+                placed += 1
+                failures = 0
+                continue
+            failures += 1
+            if failures == _FAILURES:
+                distance *= _SHRINK
+                failures = 0
+        elif thrown > 1000000000:
+            return
+
+
+@kernel()
+def push_apart(points, fixed, count, width, height, r, cusp, open, distance, sweeps):
+    """Move points[fixed:count] until no two points are closer than ``distance``; whether that came about.
+
+    Each sweep moves every point away from those too close, by a little more than half of what is missing,
+    or all of it where the other one is fixed. A move out of the open parts is shortened.
+    """
+    for _ in range(sweeps):
+        crowded = False
+        for i in range(fixed, count):
+            x, y = points[i, 0], points[i, 1]
+            mx = my = 0.0
+            for j in range(count):
+                dx, dy = x - points[j, 0], y - points[j, 1]
+                if abs(dx) > 0.5 * width:
+                    dx -= width * np.round(dx / width)
+                if abs(dy) > 0.5 * height:
+                    dy -= height * np.round(dy / height)
+                square = dx * dx + dy * dy
+                if j != i and square < distance * distance:
+                    crowded = True
+                    apart = np.sqrt(square)
+                    share = (1.0 if j < fixed else 0.55) * (distance * 1.0005 - apart)
+                    if apart > 1e-9:
+                        mx += dx / apart * share
+                        my += dy / apart * share
+                    else:
+                        mx += share
+            if mx != 0.0 or my != 0.0:
+                slide(points, i, mx, my, width, height, r, cusp, open)
+        if not crowded:
+            return True
+    return False
+
+
+@kernel()
+def slide(points, i, mx, my, width, height, r, cusp, open):
+    """Move point i, by less where the whole way leads out of the open parts: along an axis, or shorter."""
+    x, y = points[i, 0], points[i, 1]
+    for step in range(_HALVINGS):
+        scale = 0.5**step
+        for way in range(3):
+            nx = x + (mx * scale if way != 2 else 0.0)
+            ny = y + (my * scale if way != 1 else 0.0)
+            if open[part_at(nx, ny, width, height, r, cusp)]:
+                points[i, 0], points[i, 1] = nx, ny
+                return
+
+
+@kernel()
+def relax_cells(points, fixed, count, width, height, r, cusp, open, iterations):
+    """Move points[fixed:count] to the centroids of their Voronoi cells, again and again (Lloyd 1982).
+
+    A move out of the open parts is shortened (Lagae 2007, section 4.3).
+    """
+    extent, walls = np.array([np.float64(width), np.float64(height)]), np.zeros(4)
+    moves = np.empty((count, 2))
+    polygon, spare = np.empty((64, 3)), np.empty((64, 3))
+    for _ in range(iterations):
+        for i in range(fixed, count):
+            corners = start_cell(0.0, 0.0, extent, True, walls, polygon)
+            reach = find_reach(polygon, corners)
+            for j in range(count):
+                dx, dy = points[j, 0] - points[i, 0], points[j, 1] - points[i, 1]
+                dx, dy = dx - width * np.round(dx / width), dy - height * np.round(dy / height)
+                if j != i and dx * dx + dy * dy < 4 * reach and is_cut(polygon, corners, dx, dy):
+                    spare = enlarge(spare, corners + 1)
+                    corners = cut_cell(polygon, corners, dx, dy, 0.0, spare)
+                    polygon, spare = spare, polygon
+                    reach = find_reach(polygon, corners)
+            _, moves[i, 0], moves[i, 1] = find_centroid(polygon, corners)
+        for i in range(fixed, count):
+            slide(points, i, moves[i, 0], moves[i, 1], width, height, r, cusp, open)
+
+
+@kernel()
+def grow(key, points, fixed, count, width, height, r, cusp, open, distance, lloyd, attempts, sweeps):
+    """Fill points[fixed:count] so that no two points are closer than ``distance``; whether it succeeded.
+
+    Relaxation dart throwing, ``lloyd`` iterations of Lloyd's method, and pushing apart what is still too
+    close; all over again where that does not come to an end.
+    """
+    for attempt in range(attempts):
+        throw_relaxed(
+            draw_word(key, attempt), points, fixed, count, width, height, r, cusp, open, 1.2 * distance
+        )
+        relax_cells(points, fixed, count, width, height, r, cusp, open, lloyd)
+        if push_apart(points, fixed, count, width, height, r, cusp, open, distance, sweeps):
+            return True
+    return False
+
+
+@kernel(parallel=True)
+def grow_parts(
+    keys, fixed, fixed_counts, count, width, height, r, cusp, open, distance, lloyd, attempts, sweeps,
+    kind, out, out_counts,
+):  # fmt: skip
+    """Fill tori around fixed points and cut a part out of each: that of ``kind`` at lattice point (0, 0).
+
+    keys : uint64 (m,). fixed : float64 (m, most, 2), fixed_counts : int32 (m,). count : points of a torus.
+    out : float64 (m, slots, 2), the part's points as seen from the lattice point. out_counts : int32 (m,),
+    or -1 where the torus could not be filled.
+    """
+    for m in numba.prange(len(keys)):
+        points = np.empty((max(count, fixed.shape[1]), 2))
+        n = fixed_counts[m]
+        points[:n] = fixed[m, :n]
+        out_counts[m] = -1
+        if n > count or not grow(
+            keys[m], points, n, count, width, height, r, cusp, open, distance, lloyd, attempts, sweeps
+        ):
+            continue
+        out_counts[m] = 0
+        for i in range(n, count):
+            x, y = points[i, 0], points[i, 1]
+            if part_at(x, y, width, height, r, cusp) != kind:
+                continue
+            # An edge reaches from its lattice point to the next one, a corner region around it.
+            x -= width * (np.round(x / width) if kind != 1 else np.floor(x / width))
+            y -= height * (np.round(y / height) if kind != 2 else np.floor(y / height))
+            out[m, out_counts[m], 0], out[m, out_counts[m], 1] = x, y
+            out_counts[m] += 1
+
+
+@kernel()
+def assemble(tile, items, offsets, frame, frame_counts, out):
+    """Write the frame points around a tile, in the tile's coordinates; how many there are."""
+    n = 0
+    for k in range(items.shape[1]):
+        item = items[tile, k]
+        for s in range(frame_counts[item]):
+            out[n, 0] = frame[item, s, 0] + offsets[k, 0]
+            out[n, 1] = frame[item, s, 1] + offsets[k, 1]
+            n += 1
+    return n
+
+
+@kernel()
+def count_inside(points, count):
+    """How many of the points lie in the tile [0, 1) x [0, 1)."""
+    n = 0
+    for i in range(count):
+        x, y = points[i, 0], points[i, 1]
+        if 0.0 <= x < 1.0 and 0.0 <= y < 1.0:
+            n += 1
+    return n
+
+
+@kernel(parallel=True)
+def grow_interiors(
+    keys, items, offsets, frame, frame_counts, wanted, r, cusp, distance, lloyd, attempts, sweeps,
+    inner, inner_counts,
+):  # fmt: skip
+    """Fill the interior of every tile so that the whole tile holds ``wanted`` points.
+
+    keys : uint64 (m,), one for each interior, variants of a tile one after another. items : int32 (T, 8).
+    inner : float64 (m, slots, 2), filled. inner_counts : int32 (m,), points written, or -1 for a tile whose
+    interior could not be filled.
+    """
+    per_tile = len(keys) // len(items)
+    for m in numba.prange(len(keys)):
+        points = np.empty((frame.shape[1] * 8 + inner.shape[1], 2))
+        open = np.zeros(16, np.bool_)
+        open[3] = True
+        fixed = assemble(m // per_tile, items, offsets, frame, frame_counts, points)
+        n = wanted - count_inside(points, fixed)
+        inner_counts[m] = -1
+        if 0 <= n <= inner.shape[1] and grow(
+            keys[m], points, fixed, fixed + n, 2, 2, r, cusp, open, distance, lloyd, attempts, sweeps
+        ):
+            for s in range(n):
+                inner[m, s, 0], inner[m, s, 1] = points[fixed + s, 0], points[fixed + s, 1]
+            inner_counts[m] = n
+
+
+@kernel(parallel=True)
+def move_interiors(
+    items, offsets, frame, frame_counts, r, cusp, distance, moves, sweeps, inner, inner_counts, settled
+):
+    """Move interior points by ``moves`` and push them apart; say which interiors keep the distance.
+
+    moves : float64 (m, slots, 2). settled : bool (m,), filled.
+    """
+    per_tile = len(inner) // len(items)
+    for m in numba.prange(len(inner)):
+        points = np.empty((frame.shape[1] * 8 + inner.shape[1], 2))
+        open = np.zeros(16, np.bool_)
+        open[3] = True
+        fixed = assemble(m // per_tile, items, offsets, frame, frame_counts, points)
+        n = inner_counts[m]
+        for s in range(n):
+            points[fixed + s, 0], points[fixed + s, 1] = inner[m, s, 0], inner[m, s, 1]
+            slide(points, fixed + s, moves[m, s, 0], moves[m, s, 1], 2, 2, r, cusp, open)
+        settled[m] = push_apart(points, fixed, fixed + n, 2, 2, r, cusp, open, distance, sweeps)
+        for s in range(n):
+            inner[m, s, 0], inner[m, s, 1] = points[fixed + s, 0], points[fixed + s, 1]
+
+
+@kernel()
+def move_frame(moves, kinds, meets, meet_offsets, meet_counts, r, cusp, distance, frame, frame_counts):
+    """Move frame points one after another, by less where they would leave their part, cross the border of
+    their tile or come too close to a point that can be near them.
+
+    moves : float64 (items, slots, 2). kinds : int8 (items,). meets : int32 (items, n), the items that can
+    be near; meet_offsets : float64 (items, n, 2), where these lie, seen from the item; meet_counts.
+    """
+    least = distance * distance
+    for item in range(len(frame)):
+        for s in range(frame_counts[item]):
+            x, y = frame[item, s, 0], frame[item, s, 1]
+            for step in range(_HALVINGS + 1):
+                nx, ny = x + moves[item, s, 0] * 0.5**step, y + moves[item, s, 1] * 0.5**step
+                if kind_at(nx, ny, r, cusp) != kinds[item] or crosses(x, y, nx, ny, kinds[item]):
+                    continue
+                near = nearest_square(nx, ny, frame[item], frame_counts[item], s, 1000.0, 1000.0)
+                for k in range(meet_counts[item]):
+                    if near < least:
+                        break
+                    other = meets[item, k]
+                    near = min(
+                        near,
+                        nearest_square(
+                            nx - meet_offsets[item, k, 0], ny - meet_offsets[item, k, 1],
+                            frame[other], frame_counts[other], -1, 1000.0, 1000.0,
+                        ),
+                    )  # fmt: skip
+                if near >= least:
+                    frame[item, s, 0], frame[item, s, 1] = nx, ny
+                    break
+
+
+@kernel(inline=True)
+def crosses(x, y, nx, ny, kind):
+    """Whether the way from (x, y) leads into another tile, seen from the item's lattice point."""
+    across_x = (kind == 0 or kind == 2) and (x < 0) != (nx < 0)
+    across_y = (kind == 0 or kind == 1) and (y < 0) != (ny < 0)
+    return across_x or across_y
+
+
+@kernel()
+def mark_kind(r, cusp, kind, out):
+    """Write 1 where the middle of a pixel of a tile lies in a part of ``kind``, else 0: out [x, y]."""
+    n = out.shape[0]
+    for i in range(n):
+        for j in range(n):
+            out[i, j] = 1.0 if kind_at((i + 0.5) / n, (j + 0.5) / n, r, cusp) == kind else 0.0

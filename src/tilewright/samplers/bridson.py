@@ -1,0 +1,61 @@
+"""Darts around the points that stay (Bridson 2007)."""
+
+import numpy as np
+
+from tilewright.errors import Progress, check_int
+from tilewright.samplers.box import Box
+from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.filling import about_distance
+from tilewright.samplers.grid import Grid
+from tilewright.samplers.point_set import PointSet
+from tilewright.samplers.request import check_box, check_count, most_points
+
+_BATCH = 2**15
+
+
+def bridson_darts(
+    count: int,
+    rho: float | None = None,
+    *,
+    tries: int = 30,
+    seed: Seed = 0,
+    box: Box | None = None,
+    progress: Progress | None = None,
+) -> PointSet:
+    """About ``count`` points, none closer than 2 rho r_max, grown outward from the first.
+
+    Darts are thrown into the ring around a point, from the least distance to twice that, until ``tries`` of
+    them in a row have found no room. Few gaps are left where another point would fit.
+
+    Parameters
+    ----------
+    count : int
+        About so many points.
+    rho : float, optional
+        Relative radius of ``count`` points, more than 0; the box is filled in any case, so with a low one
+        there are more points. Without it, one at which about ``count`` points fill it.
+    tries : int
+        More make the set more nearly full, and a little larger.
+    seed : int or numpy Generator
+    box : Box
+        The domain; the unit torus by default.
+    progress : callable, optional
+    """
+    domain = check_box(box)
+    n = check_count(count, 100)
+    patience = check_int("tries", tries, 1, 10**6)
+    distance = about_distance("bridson", n, rho, domain)
+    from tilewright.kernels.darts import grow_around
+
+    key, extent, most = make_key(seed), np.array(domain.extent), most_points(distance, domain, 100)
+    points, active = np.empty((most, domain.dimension)), np.empty(most, np.int32)
+    grid = Grid.of(domain, most, distance)
+    drawn = placed = waiting = 0
+    while placed == 0 or waiting > 0:
+        if progress is not None:
+            progress(min(placed, n), n, "growing")
+        drawn, placed, waiting = grow_around(
+            key, drawn, placed, min(most, placed + _BATCH), waiting, active, patience, distance, extent,
+            domain.torus, grid.counts, grid.offsets, points, grid.heads, grid.after,
+        )  # fmt: skip
+    return PointSet(points[:placed].copy(), domain, "bridson", distance)

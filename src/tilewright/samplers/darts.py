@@ -1,0 +1,65 @@
+"""Dart throwing: points by chance, kept where none is near (Cook 1986; Lagae 2007, section 6.3)."""
+
+import numpy as np
+
+from tilewright.errors import Progress
+from tilewright.samplers.box import Box
+from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.filling import SMALL
+from tilewright.samplers.grid import Grid
+from tilewright.samplers.point_set import PointSet
+from tilewright.samplers.request import check_box, check_count, check_distance, too_full
+
+_BATCH = 2**18
+_PATIENCE = 4000
+"""Darts for each point asked for, after which a set counts as full."""
+
+
+def dart_throwing(
+    count: int,
+    rho: float = 0.7,
+    *,
+    seed: Seed = 0,
+    box: Box | None = None,
+    progress: Progress | None = None,
+) -> PointSet:
+    """Exactly ``count`` points, none closer than 2 rho r_max.
+
+    Parameters
+    ----------
+    count : int
+    rho : float
+        Relative radius, 0 up to 1. Random darts fill a plane at about 0.77 (disks then cover 54.7 % of
+        it, the jamming limit of random sequential adsorption); to 0.75 they come in practice.
+    seed : int or numpy Generator
+    box : Box
+        The domain; the unit torus by default.
+    progress : callable, optional
+
+    Raises
+    ------
+    TilewrightValueError
+        The darts found no room for so many points. A small set that leaves none is begun anew first.
+    """
+    domain = check_box(box)
+    n = check_count(count, 8 * domain.dimension + 4)
+    distance = check_distance(rho, n, domain)
+    from tilewright.kernels.darts import throw_darts
+
+    key, extent = make_key(seed), np.array(domain.extent)
+    points = np.empty((n, domain.dimension))
+    grid = Grid.of(domain, n, distance)
+    thrown = placed = best = full = 0
+    while placed < n:
+        if progress is not None:
+            progress(placed, n, "throwing darts")
+        if thrown - full >= _PATIENCE * n:  # no room is left: begin anew, or give up
+            best, full, placed = max(best, placed), thrown, 0
+            if thrown >= _PATIENCE * max(n, SMALL):
+                raise too_full(rho, best, n, domain.dimension, "Lloyd's method goes higher")
+            grid.heads.fill(-1)
+        thrown, placed = throw_darts(
+            key, min(_BATCH, _PATIENCE * n), thrown, placed, distance, extent, domain.torus,
+            grid.counts, grid.offsets, points, grid.heads, grid.after,
+        )  # fmt: skip
+    return PointSet(points, domain, "dart", distance, {"darts": thrown})

@@ -1,0 +1,75 @@
+"""Darts that never miss: thrown into what the Voronoi cells of the points leave free (Jones 2006)."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import Progress
+from tilewright.samplers.box import Box
+from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.filling import fill
+from tilewright.samplers.point_set import PointSet
+from tilewright.samplers.request import check_box, check_count
+
+_BATCH = 2**14
+_BYTES_EACH = 600
+
+
+def jones_darts(
+    count: int,
+    rho: float | None = None,
+    *,
+    seed: Seed = 0,
+    box: Box | None = None,
+    progress: Progress | None = None,
+) -> PointSet:
+    """Points none of which are closer than 2 rho r_max, each uniform in the room the ones before leave.
+
+    That is the distribution of dart throwing, at any radius and without a miss. Every Voronoi cell knows
+    the area its point's disk leaves free; a cell is chosen by area from a tree, and a place in it by area.
+    Departs from the paper in keeping polygons, which a new point cuts one by one, instead of a
+    triangulation.
+
+    Parameters
+    ----------
+    count : int
+        Exactly so many with ``rho``; about so many without.
+    rho : float, optional
+        Relative radius, more than 0. Without it points are placed until there is no room for another, at a
+        radius for which that happens at about ``count`` points: rho is about 0.776, and 16,384 become 20 more
+        or fewer.
+    seed : int or numpy Generator
+    box : Box
+        A plane domain; the unit torus by default.
+    progress : callable, optional
+
+    Returns
+    -------
+    PointSet
+        Its figures say whether it is maximal.
+
+    Raises
+    ------
+    TilewrightValueError
+        There was no room for ``count`` points at ``rho``.
+    """
+    domain = check_box(box, plane="the method of Jones")
+    n = check_count(count, _BYTES_EACH)
+    from tilewright.kernels.gaps import fill_gaps
+
+    key, extent = make_key(seed), np.array(domain.extent)
+
+    def run(distance: float, most: int, first: int) -> tuple[NDArray[np.float64], bool]:
+        points, rows = np.empty((most, 2)), np.empty((9 * n + 64, 3))
+        starts, corners, room = np.zeros((3, most), np.int64)
+        tree = np.zeros(2 << (most - 1).bit_length())
+        placed = used = 0
+        while placed == 0 or (placed < most and tree[1] > 0):
+            if progress is not None:
+                progress(min(placed, n), n, "filling gaps")
+            placed, rows, used = fill_gaps(
+                key, first, placed, min(most, placed + _BATCH), distance, extent, domain.torus,
+                points, rows, used, starts, corners, room, tree,
+            )  # fmt: skip
+        return points[:placed].copy(), bool(tree[1] == 0)
+
+    return fill("jones", n, rho, domain, _BYTES_EACH, run)

@@ -1,0 +1,93 @@
+"""Darts at what may still be free, cell by ever smaller cell, until nothing is (Ebeida et al. 2012)."""
+
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import Progress, check_real
+from tilewright.samplers.box import Box
+from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.darts import dart_throwing
+from tilewright.samplers.filling import LEAST_RHO, fill
+from tilewright.samplers.grid import Grid
+from tilewright.samplers.point_set import PointSet
+from tilewright.samplers.request import check_box, check_count
+
+_DARTS_EACH = 1.0
+"""Darts for each active cell before the cells are split."""
+_DEEPEST = 40
+"""Splits after which what is left of a gap counts as none: a 10^-12th of a cell."""
+_BYTES_EACH = 200
+_EASY_RHO = 0.5
+"""Below it darts hardly miss and cells would be many for each point."""
+
+
+def maximal_darts(
+    count: int,
+    rho: float | None = None,
+    *,
+    seed: Seed = 0,
+    box: Box | None = None,
+    progress: Progress | None = None,
+) -> PointSet:
+    """Points none of which are closer than 2 rho r_max, until there is no room left for another one.
+
+    Darts are thrown at cells of a grid that may have room, each equally likely; then those cells are halved
+    along every axis, and parts covered by a disk are dropped. The distribution is that of dart throwing.
+
+    Parameters
+    ----------
+    count : int
+        Exactly so many with ``rho``, which may come before the room ends; about so many without.
+    rho : float, optional
+        Relative radius, more than 0. Without it the set is maximal, at a radius for which that happens at
+        about ``count`` points: rho is about 0.776 in planes and 0.80 in volumes.
+    seed : int or numpy Generator
+    box : Box
+        The domain; the unit torus by default.
+    progress : callable, optional
+
+    Returns
+    -------
+    PointSet
+        Its figures say whether it is known to be maximal: no place of the box is farther than ``distance``
+        from all points.
+
+    Raises
+    ------
+    TilewrightValueError
+        There was no room for ``count`` points at ``rho``.
+    """
+    domain = check_box(box)
+    n = check_count(count, _BYTES_EACH)
+    if rho is not None and check_real("rho", rho, LEAST_RHO, 1.0) < _EASY_RHO:
+        easy = dart_throwing(n, rho, seed=seed, box=domain, progress=progress)
+        return PointSet(easy.points, domain, "maximal", easy.distance, {"maximal": False})
+    from tilewright.kernels.voids import split_cells, throw_at_cells
+
+    key, extent, d = make_key(seed), np.array(domain.extent), domain.dimension
+
+    def run(distance: float, most: int, first: int) -> tuple[NDArray[np.float64], bool]:
+        points = np.empty((most, d))
+        grid = Grid.of(domain, most, distance, fine=True)
+        active = np.stack(np.unravel_index(np.arange(len(grid.heads)), tuple(grid.counts)), axis=1)
+        placed, level = 0, 0
+        while len(active) and placed < most and level <= _DEEPEST:
+            if progress is not None:
+                progress(min(placed, n), n, "filling gaps")
+            darts = ceil(_DARTS_EACH * len(active))
+            placed = throw_at_cells(
+                key, first, darts, placed, active, level, distance, extent, domain.torus,
+                grid.counts, grid.offsets, points, grid.heads, grid.after,
+            )  # fmt: skip
+            first += darts * (d + 1)
+            parts = np.empty((len(active) << d, d), np.int64)
+            left = split_cells(
+                active, level, distance, extent, domain.torus,
+                grid.counts, grid.offsets, points, grid.heads, parts,
+            )  # fmt: skip
+            active, level = parts[:left].copy(), level + 1
+        return points[:placed].copy(), len(active) == 0 or level > _DEEPEST
+
+    return fill("maximal", n, rho, domain, _BYTES_EACH, run)

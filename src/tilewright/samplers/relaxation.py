@@ -1,0 +1,79 @@
+"""Relaxation dart throwing: darts whose distance shrinks when no room is left
+(McCool & Fiume 1992; Lagae 2007, section 6.4)."""
+
+import numpy as np
+
+from tilewright.errors import Progress, check_int, check_real
+from tilewright.samplers.box import Box
+from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.grid import Grid
+from tilewright.samplers.point_set import PointSet
+from tilewright.samplers.request import check_box, check_count
+
+_BATCH = 2**20
+_STEP = 0.7
+"""The distance may shrink by so much before the grid is made anew."""
+
+
+def relaxation_darts(
+    count: int,
+    *,
+    factor: float = 0.99,
+    failures: int = 1000,
+    radius: float | None = None,
+    seed: Seed = 0,
+    box: Box | None = None,
+    progress: Progress | None = None,
+) -> PointSet:
+    """Exactly ``count`` points, the first of them far apart, later ones ever closer.
+
+    The order is hierarchical: the first n points are well spread for every n.
+
+    Parameters
+    ----------
+    count : int
+    factor : float
+        What the distance is multiplied by when no room was found. 16,384 points come to a relative radius
+        of 0.57, 0.68 and 0.73 with a factor of 0.9, 0.99 and 0.999 after 100, 1,000 and 10,000 failures;
+        the last takes twenty times as long as the second.
+    failures : int
+        Darts missing in a row after which there is no room.
+    radius : float
+        Half the first distance; 0.15 of the square root of the area by default, on a torus at most half
+        of its shortest side.
+    seed : int or numpy Generator
+    box : Box
+        The domain; the unit torus by default.
+    progress : callable, optional
+
+    Returns
+    -------
+    PointSet
+        Its ``distance`` is the last one, which every two points keep.
+    """
+    domain = check_box(box)
+    n = check_count(count, 8 * domain.dimension + 40)
+    shrink = check_real("factor", factor, 0.01, 0.9999)
+    patience = check_int("failures", failures, 1, 10**9)
+    size = domain.volume ** (1 / domain.dimension)
+    distance = 0.3 * size if radius is None else 2 * check_real("radius", radius, 1e-9 * size, 1e9 * size)
+    if domain.torus:
+        distance = min(distance, *domain.extent)
+    from tilewright.kernels.darts import fill_grid, relax_darts
+
+    key, extent = make_key(seed), np.array(domain.extent)
+    points = np.empty((n, domain.dimension))
+    thrown = placed = missed = 0
+    while placed < n:
+        # A grid for distances between the present one and a little less.
+        floor = distance * _STEP
+        grid = Grid.of(domain, n, floor, reach=distance)
+        fill_grid(points, placed, grid.heads, grid.after, grid.counts, extent)
+        while placed < n and distance >= floor:
+            if progress is not None:
+                progress(placed, n, "throwing darts")
+            thrown, placed, missed, distance = relax_darts(
+                key, _BATCH, thrown, placed, missed, distance, floor, shrink, patience, extent, domain.torus,
+                grid.counts, grid.offsets, points, grid.heads, grid.after,
+            )  # fmt: skip
+    return PointSet(points, domain, "relaxation", distance, {"darts": thrown})

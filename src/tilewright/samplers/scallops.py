@@ -1,0 +1,149 @@
+"""Points around points, in what is left of the rings around them (Dunbar & Humphreys 2006; Lagae 2007,
+section 6.13)."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import Progress
+from tilewright.samplers.box import Box
+from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.filling import about_distance
+from tilewright.samplers.grid import Grid
+from tilewright.samplers.point_set import PointSet
+from tilewright.samplers.request import check_box, check_count, most_points
+
+_BATCH = 2**13
+
+
+def scallop_log(
+    count: int,
+    rho: float | None = None,
+    *,
+    seed: Seed = 0,
+    box: Box | None = None,
+    progress: Progress | None = None,
+) -> PointSet:
+    """Points no closer than 2 rho r_max, each anywhere in the rings around the ones before.
+
+    A ring goes from the least distance to twice that; what disks leave of all rings is kept as scalloped
+    sectors, of which each point of the plane is in one at most, and the next point is uniform in them. The
+    set grows outward from the first point until no room is left.
+
+    Parameters
+    ----------
+    count : int
+        About so many points.
+    rho : float, optional
+        Relative radius of ``count`` points, more than 0; the set is full in any case, so with a low one
+        there are more points. Without it, one at which about ``count`` points fill the box.
+    seed : int or numpy Generator
+    box : Box
+        A plane domain; the unit torus by default.
+    progress : callable, optional
+
+    Returns
+    -------
+    PointSet
+        Maximal: no place is farther than ``distance`` from all points.
+    """
+    from tilewright.kernels.scallops import grow_by_area
+    from tilewright.kernels.sectors import FIELDS
+
+    grown = _Growth(count, rho, "scallop-log", 1000, seed, box, 4.0)
+    rows = np.empty((2 * grown.most + 64, FIELDS))
+    starts, sizes, room = np.zeros((3, grown.most), np.int64)
+    tree = np.zeros(2 << (grown.most - 1).bit_length())
+    placed = used = 0
+    while placed == 0 or tree[1] > 0:
+        grown.report(progress, placed)
+        last = min(grown.most, placed + _BATCH)
+        placed, rows, used = grow_by_area(
+            grown.key, placed, last, *grown.plane, rows, used, starts, sizes, room, tree
+        )
+    return grown.answer(placed)
+
+
+def scallop_linear(
+    count: int,
+    rho: float | None = None,
+    *,
+    seed: Seed = 0,
+    box: Box | None = None,
+    progress: Progress | None = None,
+) -> PointSet:
+    """As `scallop_log`, but the rings are filled one after the other, in random order, not by area.
+
+    Its time is linear in the number of points, and the sets are a little denser. Parameters, errors and
+    result are those of `scallop_log`.
+    """
+    from tilewright.kernels.scallops import grow_by_turns
+
+    grown = _Growth(count, rho, "scallop-linear", 100, seed, box, 4.0)
+    return _grow_in_turn(grow_by_turns, grown, progress, np.zeros(grown.most, np.bool_))
+
+
+def scallop_boundary(
+    count: int,
+    rho: float | None = None,
+    *,
+    seed: Seed = 0,
+    box: Box | None = None,
+    progress: Progress | None = None,
+) -> PointSet:
+    """As `scallop_linear`, but every point is at the least distance from another one: their disks touch.
+
+    The fastest of the three and the densest, with strong rings in its spectrum. Parameters, errors and result
+    are those of `scallop_log`.
+    """
+    from tilewright.kernels.scallops import grow_by_touch
+
+    grown = _Growth(count, rho, "scallop-boundary", 100, seed, box, 2.0)
+    return _grow_in_turn(grow_by_touch, grown, progress)
+
+
+class _Growth:
+    """What the three have in common: the empty domain in which points grow."""
+
+    def __init__(
+        self,
+        count: int,
+        rho: float | None,
+        method: str,
+        bytes_each: int,
+        seed: Seed,
+        box: Box | None,
+        reach: float,
+    ) -> None:
+        self.box = check_box(box, plane="the method of Dunbar & Humphreys")
+        self.count, self.method, self.key = check_count(count, bytes_each), method, make_key(seed)
+        self.distance = about_distance(method, self.count, rho, self.box)
+        self.most = most_points(self.distance, self.box, bytes_each)
+        self.points = np.empty((self.most, 2))
+        grid = Grid.of(self.box, self.most, self.distance, reach=reach * self.distance, images=True)
+        self.plane = (
+            self.distance, self.points, grid.heads, grid.after, grid.counts, np.array(self.box.extent),
+            self.box.torus, grid.offsets,
+        )  # fmt: skip
+
+    def report(self, progress: Progress | None, placed: int) -> None:
+        if progress is not None:
+            progress(min(placed, self.count), self.count, "filling gaps")
+
+    def answer(self, placed: int) -> PointSet:
+        return PointSet(self.points[:placed].copy(), self.box, self.method, self.distance, {"maximal": True})
+
+
+def _grow_in_turn(
+    grow: Callable[..., Any], grown: _Growth, progress: Progress | None, *notes: NDArray[np.bool_]
+) -> PointSet:
+    active: NDArray[np.int32] = np.empty(grown.most, np.int32)
+    drawn = placed = waiting = 0
+    while placed == 0 or waiting > 0:
+        grown.report(progress, placed)
+        drawn, placed, waiting = grow(
+            grown.key, drawn, placed, min(grown.most, placed + _BATCH), waiting, active, *grown.plane, *notes
+        )
+    return grown.answer(placed)

@@ -1,0 +1,135 @@
+"""Balanced sets: all points of a set move until no frequency of the tile lattice stands out.
+
+What repeats from tile to tile shows as spikes of height |m(k)|^2 (see `spikes`). The sum over all
+frequencies is fixed, since corner points stand for 1 / C of the plane and edge points for 1 / C^2; but it
+can be spread evenly. Every spike above a limit is pulled down to it, as one would project onto a set of
+constraints, and the limit is lowered as long as that succeeds.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import Progress
+from tilewright.signals.points.anatomy import OFFSETS
+from tilewright.signals.points.plan import Parts, Plan, fill_interiors
+from tilewright.signals.points.spikes import Spikes, frequencies, mean_spectrum, window_reach
+
+_ROUNDS = 500
+_WARM = 20
+_MEND = (0.7, 0.9)
+"""Shares of the rounds after which stuck tiles are filled anew, and after which the limit stays."""
+_START = 2.5
+_LOWER, _RAISE, _NEAR = 0.99, 1.003, 1.1
+_GAIN, _STEP = 0.7, 0.05
+_RING = 0.3
+
+
+def balance(plan: Plan, parts: Parts, progress: Progress | None = None) -> None:
+    """Move the points of all parts; interiors may be a little crowded in the end, see `settle`."""
+    reach = 2 * window_reach(plan.points)
+    shape = _ring_shape(plan, reach)
+    solver = _Poisson(plan, reach)
+    meets = plan.anatomy.meetings()
+    weights = parts.all_points(plan)[1]
+    limit = _START * float((weights**2).sum())
+    for round in range(_ROUNDS):
+        if progress is not None:
+            progress(round, _ROUNDS, "balancing the spectrum")
+        points, weights = parts.all_points(plan)
+        spectrum = mean_spectrum(points, weights, reach)
+        ratio = np.abs(spectrum) ** 2 / (limit * shape)
+        if round < _WARM:
+            pull = np.full(ratio.shape, 0.5)
+        else:
+            pull = 1 - 1 / np.sqrt(np.maximum(ratio, 1))
+            if round < _MEND[1] * _ROUNDS:
+                limit *= _LOWER if ratio.max() < _NEAR else _RAISE
+        _move(plan, parts, meets, solver.velocity(points, _GAIN * pull * spectrum))
+        if round == int(_MEND[0] * _ROUNDS):
+            settle(plan, parts, 0)
+
+
+def settle(plan: Plan, parts: Parts, round: int) -> int:
+    """Push the points of every interior apart, fill those anew that stay stuck; how many failed."""
+    stuck = _move_interiors(plan, parts, np.zeros_like(parts.inner), 400)
+    return fill_interiors(plan, parts, stuck, 1 + round, 50) if len(stuck) else 0
+
+
+def _ring_shape(plan: Plan, reach: int) -> NDArray[np.float64]:
+    """The limit's shape: lower on rings, one sample wide, on which many lattice frequencies fall together.
+
+    There spikes add up in the anisotropy, whose rings are as wide. Samples are those of a periodogram of
+    the usual number of points.
+    """
+    kx, ky = frequencies(reach)
+    along = np.sqrt(Spikes.usual_tiles(plan.points))
+    radius = np.hypot(kx, ky)
+    ring = np.rint(radius * along).astype(int)
+    crowd = np.bincount(ring.ravel())[ring]
+    expected = np.maximum(2 * np.pi * radius / along, 1)
+    return np.clip((expected / crowd) ** _RING, 0.4, 1)
+
+
+class _Poisson:
+    """Finds velocities under which a spectrum shrinks: u = -grad psi with -laplace psi = its density."""
+
+    def __init__(self, plan: Plan, reach: int) -> None:
+        kx, ky = frequencies(reach)
+        square = (kx**2 + ky**2).astype(float)
+        square[reach, reach] = 1
+        scale = -2j * np.pi / (4 * np.pi**2 * square * plan.points)
+        self.gradient = np.stack([scale * kx, scale * ky])
+
+    def velocity(self, points: NDArray[np.float64], spectrum: NDArray[np.complex128]) -> NDArray[np.float64]:
+        """-sum_k i k ... exp(2 pi i k x) at every point, shape (P, 2)."""
+        import finufft
+
+        size = spectrum.shape[0] + 1
+        modes = np.zeros((2, size, size), np.complex64)
+        modes[:, 1:, 1:] = self.gradient * spectrum
+        angle = (2 * np.pi * (points % 1.0)).astype(np.float32)
+        x, y = np.ascontiguousarray(angle[:, 0]), np.ascontiguousarray(angle[:, 1])
+        found = finufft.nufft2d2(x, y, modes, isign=1, eps=1e-4, nthreads=1)
+        velocity: NDArray[np.float64] = found.real.T.astype(np.float64)
+        return velocity
+
+
+def _move(
+    plan: Plan,
+    parts: Parts,
+    meets: tuple[NDArray[np.int32], NDArray[np.float64], NDArray[np.int32]],
+    velocity: NDArray[np.float64],
+) -> None:
+    """Move every point, none by more than a share of the usual spacing, and push interiors apart."""
+    from tilewright.kernels.growth import move_frame
+
+    longest = _STEP / np.sqrt(plan.points)
+    speed = np.hypot(velocity[:, 0], velocity[:, 1])
+    velocity *= np.minimum(1, longest / np.maximum(speed, 1e-12))[:, np.newaxis]
+    frame = np.zeros_like(parts.frame)
+    here = int(parts.frame_counts.sum())
+    frame[parts.frame_slots] = velocity[:here]
+    move_frame(
+        frame,
+        plan.anatomy.kinds,
+        *meets,
+        *plan.shape_settings,
+        plan.distance,
+        parts.frame,
+        parts.frame_counts,
+    )
+    inner = np.zeros_like(parts.inner)
+    inner[parts.inner_slots] = velocity[here:]
+    _move_interiors(plan, parts, inner, 4)
+
+
+def _move_interiors(plan: Plan, parts: Parts, moves: NDArray[np.float64], sweeps: int) -> NDArray[np.intp]:
+    """Move interior points and push them apart; which interiors are still crowded."""
+    from tilewright.kernels.growth import move_interiors
+
+    settled = np.zeros(len(parts.inner), bool)
+    move_interiors(
+        plan.anatomy.items, OFFSETS, parts.frame, parts.frame_counts, *plan.shape_settings, plan.distance,
+        moves, sweeps, parts.inner, parts.inner_counts, settled,
+    )  # fmt: skip
+    return np.flatnonzero(~settled)

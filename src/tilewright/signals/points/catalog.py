@@ -1,0 +1,105 @@
+"""Every kind of point tiles by name: one way to make them all."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
+
+from tilewright.errors import Progress, check_choice
+from tilewright.samplers.chance import Seed
+from tilewright.signals.points.point_tiles import PointTiles
+from tilewright.tiles import corner_tiles, crossed_wang_tiles
+
+
+@dataclass(frozen=True)
+class TileMethod:
+    """A kind of point tiles.
+
+    Attributes
+    ----------
+    home : str
+        "module.function" below this package.
+    settings : dict
+        What the function is called with beside points, rho, seed and progress.
+    colors : callable or None
+        The tile set for a number of colors, where that can be chosen.
+    rho : float or None
+        Usual relative radius; None where it cannot be asked for.
+    source : str
+    """
+
+    home: str
+    settings: dict[str, Any]
+    colors: Callable[[int], Any] | None
+    rho: float | None
+    source: str
+
+
+_TEMPLATE = {"tiles": corner_tiles, "variants": 128}
+
+TILE_METHODS: dict[str, TileMethod] = {
+    "corner": TileMethod(
+        "synthesis.poisson_tiles", {"method": "balanced"}, corner_tiles, 0.75, "tilewright"
+    ),
+    "corner-relaxed": TileMethod(
+        "synthesis.poisson_tiles", {"method": "relaxed"}, corner_tiles, 0.75,
+        "Lagae & Dutré 2006, section 7; Lagae 2007, section 4.5",
+    ),
+    "edge": TileMethod(
+        "synthesis.poisson_tiles", {"method": "relaxed", "tiles": crossed_wang_tiles}, None, 0.75,
+        "Lagae & Dutré 2005a; Lagae 2007, section 4.3",
+    ),
+    "template": TileMethod(
+        "synthesis.poisson_tiles", {"method": "relaxed", **_TEMPLATE}, None, 0.75,
+        "Lagae & Dutré 2005b; Lagae 2007, section 4.4",
+    ),
+    "shade": TileMethod("shade.shade_tiles", {}, None, 0.70, "Shade et al. 2000; Lagae 2007, section 6.6"),
+    "hiller": TileMethod(
+        "hiller.hiller_tiles", {}, None, None, "Hiller et al. 2001; Lagae 2007, section 6.7"
+    ),
+    "kopf": TileMethod("kopf.kopf_tiles", {}, None, None, "Kopf et al. 2006; Lagae 2007, section 6.14"),
+}  # fmt: skip
+
+
+def make_point_tiles(
+    method: str = "corner",
+    points: int | None = None,
+    rho: float | None = None,
+    *,
+    colors: int = 4,
+    seed: Seed = 0,
+    progress: Progress | None = None,
+    **settings: Any,
+) -> PointTiles:
+    """Point tiles of any kind, by name.
+
+    Parameters
+    ----------
+    method : str
+        A name of `TILE_METHODS`.
+    points : int, optional
+        Per tile; the kind's usual number by default.
+    rho : float, optional
+        Relative radius; the kind's usual one by default.
+    colors : int
+        Of corner tiles.
+    seed : int or numpy Generator
+    progress : callable, optional
+    **settings
+        What else the kind's function takes.
+    """
+    known = TILE_METHODS[check_choice("method", method, tuple(TILE_METHODS))]
+    given: dict[str, Any] = {"seed": seed, "progress": progress, **known.settings}
+    if known.colors is not None:
+        given["tiles"] = known.colors(colors)
+    elif callable(given.get("tiles")):
+        given["tiles"] = given["tiles"](2 if method == "edge" else 1)
+    if points is not None:
+        given["points"] = points
+    radius = known.rho if rho is None else rho
+    if radius is not None:
+        given["rho"] = radius
+    module, function = known.home.split(".")
+    run = getattr(import_module(f"tilewright.signals.points.{module}"), function)
+    made: PointTiles = run(**{**given, **settings})
+    return made

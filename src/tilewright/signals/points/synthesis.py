@@ -1,0 +1,140 @@
+"""Poisson disk tiles: points over a tile set that keep their distance in every tiling."""
+
+from dataclasses import asdict
+
+import numpy as np
+
+from tilewright.errors import Progress, TilewrightValueError, check_choice, check_int, check_real
+from tilewright.samplers.box import Box
+from tilewright.samplers.chance import Seed, derive_key, make_key
+from tilewright.samplers.radius import max_radius
+from tilewright.signals.points.balance import balance, settle
+from tilewright.signals.points.frames import grow_frame
+from tilewright.signals.points.plan import Parts, Plan, fill_interiors
+from tilewright.signals.points.point_tiles import PointTiles
+from tilewright.signals.points.promise import find_closeness
+from tilewright.signals.points.ranks import rank_points
+from tilewright.signals.points.spikes import find_spikes
+from tilewright.tiles import TileSet
+from tilewright.tiles.tileset import check_tiles
+
+METHODS = ("balanced", "relaxed")
+_FEWEST, _MOST = 8, 256
+_LARGEST_RHO = {"balanced": 0.85, "relaxed": 0.87}
+_MOST_INTERIORS = 65536
+_LLOYD = 16
+_TRIES, _ATTEMPTS = 4, 50
+
+
+def poisson_tiles(
+    tiles: TileSet,
+    points: int = 32,
+    rho: float = 0.75,
+    *,
+    method: str = "balanced",
+    variants: int = 1,
+    seed: Seed = 0,
+    progress: Progress | None = None,
+) -> PointTiles:
+    """Points over a tile set, none closer than 2 rho r_max in any tiling, exactly so many in every tile.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        `corner_tiles` (Lagae & Dutré 2006, section 7; Lagae 2007, section 4.5), or `crossed_wang_tiles` for
+        edge-based tiles (Lagae 2007, section 4.3). ``corner_tiles(1)`` with ``variants`` makes a set of
+        template tiles (section 4.4).
+    points : int
+        Points per tile N, 8 to 256.
+    rho : float
+        Relative radius: the least distance is 2 rho r_max, r_max = (2 sqrt(3) N)^(-1/2) tiles.
+    method : str
+        ``"balanced"``: small corner regions, points pushed apart, and all of them moved until no frequency
+        of the tile lattice stands out. ``"relaxed"``, the papers' construction: octagonal corner regions,
+        relaxation dart throwing, 16 iterations of Lloyd's method; what is then still too close is pushed
+        apart rather than made anew.
+    variants : int
+        Interchangeable interiors for every tile.
+    seed : int or numpy Generator
+    progress : callable, optional
+        Raise `Cancelled` in it to stop; nothing is left behind.
+
+    Returns
+    -------
+    PointTiles
+        With ranks. ``figures`` holds the closeness found over all admissible neighborhoods (see
+        `find_closeness`) and the spikes (see `find_spikes`).
+
+    Raises
+    ------
+    TilewrightValueError
+        The disks are too large for a tile, or rho cannot be reached.
+    """
+    check_tiles("tiles", tiles)
+    check_int("points", points, _FEWEST, _MOST, "more points lie in more tiles")
+    check_choice("method", method, METHODS)
+    check_int("variants", variants, 1, max(1, _MOST_INTERIORS // len(tiles)))
+    if len(tiles) * variants == 1:
+        raise TilewrightValueError(
+            "tiles has a single tile, which would repeat; take more colors, or variants"
+        )
+    if not 0 < check_real("rho", rho, 0.0, 1.0) <= _LARGEST_RHO[method]:
+        raise TilewrightValueError(
+            f"rho is {rho}; {method} tiles reach more than 0 and up to {_LARGEST_RHO[method]}"
+        )
+    key = make_key(seed)
+    for attempt in range(_TRIES):
+        tried = derive_key(key, attempt)
+        plan = Plan.of(tiles, points, rho, variants, tried, *_STYLES[method])
+        parts = _build(plan, method == "balanced", progress)
+        if parts is not None:
+            return _finish(plan, parts, rho, method, seed, progress)
+    raise TilewrightValueError(
+        f"rho is {rho}; some of the {len(tiles)} tiles found no room for {points} points in {_TRIES} trials; "
+        "ask for less rho, or for more points per tile"
+    )
+
+
+_STYLES = {"balanced": ("cusp", 0), "relaxed": ("octagon", _LLOYD)}
+
+
+def _build(plan: Plan, is_balanced: bool, progress: Progress | None) -> Parts | None:
+    """The points of all parts, or None where a tile found no room for its points."""
+    parts = Parts.empty(plan)
+    grow_frame(plan, parts, choose=is_balanced, progress=progress)
+    if progress is not None:
+        progress(0, 1, "filling the tiles")
+    if fill_interiors(plan, parts, np.arange(len(parts.inner)), 0, _ATTEMPTS):
+        return None
+    if is_balanced:
+        balance(plan, parts, progress)
+        if settle(plan, parts, 1):
+            return None
+    return parts
+
+
+def _finish(
+    plan: Plan, parts: Parts, rho: float, method: str, seed: Seed, progress: Progress | None
+) -> PointTiles:
+    """Ranks, the check of the promise, and the figures."""
+    if progress is not None:
+        progress(0, 1, "ranking and checking")
+    rows, numbers = parts.tile_points(plan)
+    starts = np.concatenate([[0], np.cumsum([len(row) for row in rows])]).astype(np.int64)
+    ranks = rank_points(
+        plan.tiles, plan.variants, np.concatenate(rows), starts, np.concatenate(numbers), plan.key
+    )
+    distance = 2 * rho * max_radius(plan.points, Box())
+    recipe = {
+        "points": plan.points, "rho": rho, "variants": plan.variants,
+        "seed": seed if isinstance(seed, int) else None,
+    }  # fmt: skip
+    made = PointTiles.of(
+        plan.tiles, rows, [ranks[n] for n in numbers],
+        variants=plan.variants, distance=distance, method=method, recipe=recipe,
+    )  # fmt: skip
+    close = find_closeness(made, plan.distance * 1.01)
+    if close.distance < distance:
+        raise AssertionError(f"points {close.distance} apart where {distance} was built")
+    made.figures.update(closest=close.distance, rho=close.rho, **asdict(find_spikes(made)))
+    return made
