@@ -6,6 +6,8 @@ from tilewright.lazy import load_lazily
 
 if TYPE_CHECKING:
     from tilewright.analysis.anything import analyze
+    from tilewright.analysis.comparison import Comparison, compare
+    from tilewright.analysis.contestants import list_contestants
     from tilewright.analysis.laid_points import analyze_point_tiles, lay_square
     from tilewright.analysis.point_report import (
         POINT_MEANING,
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
 _HOME = {
     "MEANING": "report",
     "POINT_MEANING": "point_report",
+    "Comparison": "comparison",
     "LatticeSpikes": "spectrum",
     "PointReport": "point_report",
     "RadialDistribution": "spacing",
@@ -49,12 +52,14 @@ _HOME = {
     "analyze_points": "point_report",
     "analyze_texture": "report",
     "bond_order": "spacing",
+    "compare": "comparison",
     "comparison_sheet": "point_report",
     "coverage_radius": "spacing",
     "discrepancy": "spacing",
     "lattice_spikes": "spectrum",
     "lay_sample": "sample",
     "lay_square": "laid_points",
+    "list_contestants": "contestants",
     "nearest_mean": "spacing",
     "periodogram": "spectrum",
     "power_spectrum": "spectrum",
@@ -68,6 +73,7 @@ _HOME = {
 __all__ = [
     "MEANING",
     "POINT_MEANING",
+    "Comparison",
     "LatticeSpikes",
     "PointReport",
     "RadialDistribution",
@@ -80,12 +86,14 @@ __all__ = [
     "analyze_points",
     "analyze_texture",
     "bond_order",
+    "compare",
     "comparison_sheet",
     "coverage_radius",
     "discrepancy",
     "lattice_spikes",
     "lay_sample",
     "lay_square",
+    "list_contestants",
     "nearest_mean",
     "periodogram",
     "power_spectrum",

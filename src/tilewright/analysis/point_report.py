@@ -42,6 +42,7 @@ POINT_MEANING = {
     "effective_nyquist": "frequencies sampled cleanly, over sqrt(N) / 2",
     "oscillation": "10 x RMS of the radial power less 1, beyond the first rise",
     "zone_plate_error": "RMS error of the zone plate, 0 to 1",
+    "zone_plate_near": "the same where pixels are fine enough for the function",
     "tiles": "tiles of the set, variants counted",
     "points_per_tile": "mean of the set",
     "promised_rho": "least rho over all pairs of tiles that may be neighbors",
@@ -167,6 +168,7 @@ def analyze_points(
         step(len(given) + 1, "zone plate")
         shown = zone_plate(large)
         figures["zone_plate_error"] = shown.error
+        figures["zone_plate_near"] = shown.error_near
     step(len(given) + 3, "done")
     return PointReport(name or given[0].method, figures, spectrum, distribution, shown)
 

@@ -18,6 +18,8 @@ _REACH = 2
 """Pixels from its center to the end of the filter."""
 _LEAST_WEIGHT = 0.05
 _FEWEST = PIXELS**2 // 4
+_NYQUIST = np.pi * PIXELS / DOMAIN / 2
+"""Distance from the origin at which the function, with distance / pi periods, has two pixels for each."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,6 +34,9 @@ class ZonePlate:
     error : float
         Root of the mean square difference to `zone_plate_reference`, over all pixels, of values as shown
         (0 to 1).
+    error_near : float
+        The same where the pixels are fine enough for the function, less than 16.76 from the origin: there
+        a sampling pattern should show nothing but the function.
     rate : float
         Samples for each pixel; 1 in the thesis.
     holes : int
@@ -40,6 +45,7 @@ class ZonePlate:
 
     picture: NDArray[np.float64]
     error: float
+    error_near: float
     rate: float
     holes: int
 
@@ -77,8 +83,11 @@ def zone_plate(points: PointSet) -> ZonePlate:
     splat_samples(x, y, _function(x, y), sums, weights)
     known = weights >= _LEAST_WEIGHT
     picture = np.divide(sums, weights, where=known, out=np.full_like(sums, 0.5)).clip(0, 1)
-    error = np.sqrt(np.mean((picture - zone_plate_reference().clip(0, 1)) ** 2))
-    return ZonePlate(picture, float(error), inside / PIXELS**2, int((~known).sum()))
+    off = (picture - zone_plate_reference().clip(0, 1)) ** 2
+    center = (np.arange(PIXELS) + 0.5) * (DOMAIN / PIXELS)
+    near = np.hypot(center, center[:, np.newaxis]) < _NYQUIST
+    error, error_near = float(np.sqrt(off.mean())), float(np.sqrt(off[near].mean()))
+    return ZonePlate(picture, error, error_near, inside / PIXELS**2, int((~known).sum()))
 
 
 @cache

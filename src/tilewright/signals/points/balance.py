@@ -3,7 +3,7 @@
 What repeats from tile to tile shows as spikes of height |m(k)|^2 (see `spikes`). The sum over all
 frequencies is fixed, since corner points stand for 1 / C of the plane and edge points for 1 / C^2; but it
 can be spread evenly. Every spike above a limit is pulled down to it, as one would project onto a set of
-constraints, and the limit is lowered as long as that succeeds.
+constraints, and the limit is lowered as long as that succeeds. The best of all rounds counts.
 """
 
 import numpy as np
@@ -16,11 +16,12 @@ from tilewright.signals.points.spikes import Spikes, frequencies, mean_spectrum,
 
 _ROUNDS = 500
 _WARM = 20
-_MEND = (0.7, 0.9)
-"""Shares of the rounds after which stuck tiles are filled anew, and after which the limit stays."""
+_MEND = 0.6
+"""Share of the rounds after which stuck tiles are filled anew."""
 _START = 2.5
 _LOWER, _RAISE, _NEAR = 0.99, 1.003, 1.1
 _GAIN, _STEP = 0.7, 0.05
+"""Share of an excess that a round takes away, and the farthest way of a point in mean spacings."""
 _RING = 0.3
 
 
@@ -32,21 +33,25 @@ def balance(plan: Plan, parts: Parts, progress: Progress | None = None) -> None:
     meets = plan.anatomy.meetings()
     weights = parts.all_points(plan)[1]
     limit = _START * float((weights**2).sum())
+    lowest, best = np.inf, parts
     for round in range(_ROUNDS):
         if progress is not None:
             progress(round, _ROUNDS, "balancing the spectrum")
         points, weights = parts.all_points(plan)
         spectrum = mean_spectrum(points, weights, reach)
-        ratio = np.abs(spectrum) ** 2 / (limit * shape)
+        height = np.abs(spectrum) ** 2 / shape
+        if height.max() < lowest:
+            lowest, best = float(height.max()), parts.copy()
         if round < _WARM:
-            pull = np.full(ratio.shape, 0.5)
+            pull = np.full(height.shape, 0.5)
         else:
-            pull = 1 - 1 / np.sqrt(np.maximum(ratio, 1))
-            if round < _MEND[1] * _ROUNDS:
-                limit *= _LOWER if ratio.max() < _NEAR else _RAISE
+            pull = 1 - np.sqrt(limit / np.maximum(height, limit))
+            limit *= _LOWER if height.max() < _NEAR * limit else _RAISE
         _move(plan, parts, meets, solver.velocity(points, _GAIN * pull * spectrum))
-        if round == int(_MEND[0] * _ROUNDS):
+        if round == int(_MEND * _ROUNDS):
             settle(plan, parts, 0)
+            lowest = np.inf
+    parts.take(best)
 
 
 def settle(plan: Plan, parts: Parts, round: int) -> int:
@@ -100,7 +105,7 @@ def _move(
     meets: tuple[NDArray[np.int32], NDArray[np.float64], NDArray[np.int32]],
     velocity: NDArray[np.float64],
 ) -> None:
-    """Move every point, none by more than a share of the usual spacing, and push interiors apart."""
+    """Move every point, none by more than `_STEP`, and push interiors apart."""
     from tilewright.kernels.growth import move_frame
 
     longest = _STEP / np.sqrt(plan.points)

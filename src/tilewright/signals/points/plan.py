@@ -89,6 +89,15 @@ class Parts:
             np.zeros(interiors, np.int32),
         )
 
+    def copy(self) -> "Parts":
+        """The same points, to go back to."""
+        return Parts(self.frame.copy(), self.frame_counts.copy(), self.inner.copy(), self.inner_counts.copy())
+
+    def take(self, other: "Parts") -> None:
+        """Go back to other points."""
+        self.frame, self.frame_counts = other.frame, other.frame_counts
+        self.inner, self.inner_counts = other.inner, other.inner_counts
+
     @property
     def frame_slots(self) -> NDArray[np.bool_]:
         """Which places of `frame` hold points."""

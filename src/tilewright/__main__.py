@@ -1,0 +1,5 @@
+"""``python -m tilewright``: the program."""
+
+from tilewright.cli.main import main
+
+main()
