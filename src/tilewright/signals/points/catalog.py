@@ -1,13 +1,14 @@
 """Every kind of point tiles by name: one way to make them all."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from importlib import import_module
 from typing import Any
 
-from tilewright.errors import Progress, check_choice
+from tilewright.errors import Progress, TilewrightTypeError, check_choice
 from tilewright.samplers.chance import Seed
 from tilewright.signals.points.point_tiles import PointTiles
+from tilewright.signals.points.spikes import find_spikes
 from tilewright.tiles import corner_tiles, crossed_wang_tiles
 
 
@@ -87,6 +88,11 @@ def make_point_tiles(
     progress : callable, optional
     **settings
         What else the kind's function takes.
+
+    Returns
+    -------
+    PointTiles
+        Its figures hold the spikes, see `find_spikes`.
     """
     known = TILE_METHODS[check_choice("method", method, tuple(TILE_METHODS))]
     given: dict[str, Any] = {"seed": seed, "progress": progress, **known.settings}
@@ -96,10 +102,14 @@ def make_point_tiles(
         given["tiles"] = given["tiles"](2 if method == "edge" else 1)
     if points is not None:
         given["points"] = points
+    if rho is not None and known.rho is None:
+        raise TilewrightTypeError(f"the method {method!r} does not take rho; its points have their own")
     radius = known.rho if rho is None else rho
     if radius is not None:
         given["rho"] = radius
     module, function = known.home.split(".")
     run = getattr(import_module(f"tilewright.signals.points.{module}"), function)
     made: PointTiles = run(**{**given, **settings})
+    if "doubled" not in made.figures:
+        made.figures.update(asdict(find_spikes(made)))
     return made
