@@ -4,6 +4,7 @@ import numba
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
+from tilewright.kernels.elimination import sink
 
 
 @kernel(inline=True)
@@ -56,41 +57,7 @@ def list_pairs(points, starts, classes, alive, contexts, reach, counts, offsets,
 
 
 @kernel()
-def sift_up(heap, place, load, at):
-    """Move an entry of a heap with the largest load on top towards the top."""
-    item = heap[at]
-    while at > 0:
-        parent = (at - 1) // 2
-        if load[heap[parent]] >= load[item]:
-            break
-        heap[at] = heap[parent]
-        place[heap[at]] = at
-        at = parent
-    heap[at] = item
-    place[item] = at
-
-
-@kernel()
-def sift_down(heap, place, load, at, size):
-    """Move an entry of a heap with the largest load on top towards the bottom."""
-    item = heap[at]
-    while True:
-        child = 2 * at + 1
-        if child >= size:
-            break
-        if child + 1 < size and load[heap[child + 1]] > load[heap[child]]:
-            child += 1
-        if load[item] >= load[heap[child]]:
-            break
-        heap[at] = heap[child]
-        place[heap[at]] = at
-        at = child
-    heap[at] = item
-    place[item] = at
-
-
-@kernel()
-def eliminate(firsts, entries, shares, weights, load, alive, left, target, ranks):
+def eliminate_classes(firsts, entries, shares, weights, load, alive, left, target, ranks):
     """Take away the class with the largest load until ``left``, the weight of all, is ``target``.
 
     firsts : int64 (classes + 1,); entries : int32, shares : float64, for each class whose load it is part
@@ -102,14 +69,14 @@ def eliminate(firsts, entries, shares, weights, load, alive, left, target, ranks
     for at in range(size):
         place[heap[at]] = at
     for at in range(size // 2 - 1, -1, -1):
-        sift_down(heap, place, load, at, size)
+        sink(heap, place, load, at, size)
     while size > 0 and left > target:
         top = heap[0]
         size -= 1
         heap[0] = heap[size]
         place[heap[0]] = 0
         if size > 0:
-            sift_down(heap, place, load, 0, size)
+            sink(heap, place, load, 0, size)
         alive[top] = False
         left -= weights[top]
         ranks[top] = max(left, 0.0)
@@ -117,5 +84,5 @@ def eliminate(firsts, entries, shares, weights, load, alive, left, target, ranks
             other = entries[e]
             if alive[other]:
                 load[other] -= shares[e]
-                sift_down(heap, place, load, place[other], size)
+                sink(heap, place, load, place[other], size)
     return left

@@ -37,7 +37,7 @@ def rank_points(
     points : shape (P, 2), those of each tile and variant one after another; starts : shape (T V + 1,).
     classes : shape (P,), numbers from 0 on without gaps.
     """
-    from tilewright.kernels.ranking import eliminate
+    from tilewright.kernels.ranking import eliminate_classes
 
     rows = len(starts) - 1
     weights = np.bincount(classes) / len(classes)
@@ -49,7 +49,7 @@ def rank_points(
         reach = 2 * max_radius(1, Box()) / sqrt(density * left / 2)
         last = reach >= _LONGEST
         firsts, entries, shares, load = _loads(points, starts, classes, alive, contexts, min(reach, _LONGEST))
-        left = eliminate(
+        left = eliminate_classes(
             firsts, entries, shares, weights, load, alive, left, -1.0 if last else left / 2, ranks
         )
     return ranks
