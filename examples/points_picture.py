@@ -1,4 +1,4 @@
-"""Make docs/images/points.png: parts of tiles, a density by ranks, and what balancing does to the spectrum."""
+"""Make docs/images/points.png: parts of tiles, a density by ranks, and what balancing does to spectra."""
 
 from pathlib import Path
 

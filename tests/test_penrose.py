@@ -11,7 +11,7 @@ from tilewright.errors import Cancelled, TilewrightTypeError, TilewrightValueErr
 from tilewright.samplers import penrose as tiling
 from tilewright.samplers.box import Box
 from tilewright.samplers.darts import dart_throwing
-from tilewright.samplers.penrose import PHI, TURNS, Window, find_samples, load_vectors, penrose
+from tilewright.samplers.penrose import PHI, TURNS, Window, find_samples, load_vectors, penrose_points
 from tilewright.samplers.penrose_relaxation import relax_index
 from tilewright.samplers.point_set import PointSet
 
@@ -84,14 +84,14 @@ def test_windows_lie_in_the_first_tile():
 @pytest.mark.parametrize("count", [1, 10, 100, 1000, 5000, 16384])
 @pytest.mark.parametrize("box", [PLAIN, Box((3.0, 0.5), torus=False)])
 def test_count_is_met_about(count, box):
-    made = penrose(count, seed=count, box=box)
+    made = penrose_points(count, seed=count, box=box)
     assert abs(len(made) - count) <= 1 + 0.03 * count**0.5 * 3
     assert box.check_points(made.points).shape == (len(made), 2)
     assert made.distance == 0
 
 
 def test_radius_at_every_density():
-    reached = [penrose(round(3000 * PHI ** (2 * i / 15)), seed=i).rho for i in range(15)]
+    reached = [penrose_points(round(3000 * PHI ** (2 * i / 15)), seed=i).rho for i in range(15)]
     assert min(reached) > 0.75
     assert max(reached) < 0.83
 
@@ -109,7 +109,7 @@ def test_without_vectors_the_radius_is_that_of_the_tiling():
 
 
 def test_density_is_even():
-    made = penrose(20000, seed=5)
+    made = penrose_points(20000, seed=5)
     counts = np.histogram2d(*made.points.T, bins=10, range=[[0, 1], [0, 1]])[0]
     assert counts.std() / counts.mean() < 0.02  # chance alone has 0.07
 
@@ -130,17 +130,17 @@ def test_spectrum_has_a_star_of_ten():
             around.append(power[row - 2 : row + 3, column - 2 : column + 3].max())
         return power[peak], min(around)
 
-    peak, turned = ratio(penrose(4096, seed=1))
+    peak, turned = ratio(penrose_points(4096, seed=1))
     assert peak > 100
     assert turned > 0.3 * peak
     assert ratio(dart_throwing(4096, 0.7, box=PLAIN))[0] < 30
 
 
 def test_same_seed_same_bytes():
-    one, same, other = (penrose(1000, seed=s).points for s in (7, 7, 8))
+    one, same, other = (penrose_points(1000, seed=s).points for s in (7, 7, 8))
     assert one.tobytes() == same.tobytes()
     assert one.tobytes() != other.tobytes()
-    drawn = [penrose(500, seed=np.random.default_rng(3)).points.tobytes() for _ in range(2)]
+    drawn = [penrose_points(500, seed=np.random.default_rng(3)).points.tobytes() for _ in range(2)]
     assert drawn[0] == drawn[1]
 
 
@@ -168,7 +168,7 @@ def test_importance_index_runs_once_through_every_level():
 )
 def test_bad_input(error, words, settings):
     with pytest.raises(error, match=words):
-        penrose(**{"count": 10, **settings})
+        penrose_points(**{"count": 10, **settings})
 
 
 def test_progress_can_stop_it():
@@ -176,4 +176,4 @@ def test_progress_can_stop_it():
         raise Cancelled("enough")
 
     with pytest.raises(Cancelled):
-        penrose(100, progress=stop)
+        penrose_points(100, progress=stop)

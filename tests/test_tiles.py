@@ -203,3 +203,23 @@ def test_user_sets_share_a_palette_where_slots_can_meet():
     assert tiles.colors == (2, 4, 2, 4)
     assert not tiles.is_complete
     assert CORNER.dimension == 2
+
+
+def test_crossed_wang_tiles_name_the_edges_at_their_corners():
+    tiles = tw.crossed_wang_tiles(2)
+    assert len(tiles) == 2**12
+    n, e, s, w, ne, se, sw, nw = tiles.slots.astype(int).T
+
+    def edges(code):
+        return code // 8, code // 4 % 2, code // 2 % 2, code % 2  # north, east, south, west
+
+    assert (edges(ne)[3] == n).all()
+    assert (edges(ne)[2] == e).all()
+    assert (edges(se)[0] == e).all()
+    assert (edges(se)[3] == s).all()
+    assert (edges(sw)[1] == s).all()
+    assert (edges(sw)[0] == w).all()
+    assert (edges(nw)[1] == n).all()
+    assert (edges(nw)[2] == w).all()
+    with pytest.raises(ValueError, match="531,441"):
+        tw.crossed_wang_tiles(3)

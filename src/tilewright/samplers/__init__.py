@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from tilewright.samplers.jones import jones_darts
     from tilewright.samplers.lloyd import lloyd_relaxation
     from tilewright.samplers.maximal import maximal_darts
+    from tilewright.samplers.penrose import penrose_points
     from tilewright.samplers.point_set import PointSet
     from tilewright.samplers.radius import max_radius, nearest_distances, relative_radius
     from tilewright.samplers.relaxation import relaxation_darts
@@ -36,6 +37,7 @@ _HOME = {
     "max_radius": "radius",
     "maximal_darts": "maximal",
     "nearest_distances": "radius",
+    "penrose_points": "penrose",
     "regular": "yardsticks",
     "relative_radius": "radius",
     "relaxation_darts": "relaxation",
@@ -63,6 +65,7 @@ __all__ = [
     "max_radius",
     "maximal_darts",
     "nearest_distances",
+    "penrose_points",
     "regular",
     "relative_radius",
     "relaxation_darts",

@@ -89,7 +89,7 @@ METHODS: dict[str, Method] = {
         "Dunbar & Humphreys 2006; Lagae 2007, section 6.13", fills=True, dimensions=_PLANE,
     ),
     "penrose": Method(
-        "penrose.penrose", False, False, "vertices of a Penrose tiling, moved by tabulated vectors",
+        "penrose.penrose_points", False, False, "vertices of a Penrose tiling, moved by tabulated vectors",
         "Ostromoukhov, Donohue & Jodoin 2004; Lagae 2007, section 6.8", dimensions=_PLANE, tori=False,
     ),
     "elimination": Method(
@@ -140,7 +140,7 @@ def sample_points(
         Relative radius, where the method takes one; its usual one by default.
     seed : int or numpy Generator
     box : Box, optional
-        The domain; the unit torus by default.
+        The domain; the unit torus by default, the plain unit square where a method knows no tori.
     progress : callable, optional
     **settings
         What else the method's function takes.

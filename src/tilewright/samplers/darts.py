@@ -56,7 +56,7 @@ def dart_throwing(
         if thrown - full >= _PATIENCE * n:  # no room is left: begin anew, or give up
             best, full, placed = max(best, placed), thrown, 0
             if thrown >= _PATIENCE * max(n, SMALL):
-                raise too_full(rho, best, n, domain.dimension, "Lloyd's method goes higher")
+                raise too_full(rho, best, n, domain.dimension, "Lloyd's method goes higher in planes")
             grid.heads.fill(-1)
         thrown, placed = throw_darts(
             key, min(_BATCH, _PATIENCE * n), thrown, placed, distance, extent, domain.torus,

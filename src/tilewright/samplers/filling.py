@@ -51,7 +51,7 @@ def fill(name: str, count: int, rho: float | None, box: Box, bytes_each: int, ru
         if len(points) == count:
             return PointSet(points, box, name, distance, {"maximal": full})
         best = max(best, len(points))
-    raise too_full(rho, best, count, box.dimension, "Lloyd's method goes higher")
+    raise too_full(rho, best, count, box.dimension, "Lloyd's method goes higher in planes")
 
 
 def about_distance(name: str, count: int, rho: float | None, box: Box) -> float:

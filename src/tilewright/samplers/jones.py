@@ -35,8 +35,8 @@ def jones_darts(
         Exactly so many with ``rho``; about so many without.
     rho : float, optional
         Relative radius, more than 0. Without it points are placed until there is no room for another, at a
-        radius for which that happens at about ``count`` points: rho is about 0.776, and 16,384 become 20 more
-        or fewer.
+        radius for which that happens at about ``count`` points: rho is about 0.776, and of 16,384 come
+        up to 70 more or fewer.
     seed : int or numpy Generator
     box : Box
         A plane domain; the unit torus by default.

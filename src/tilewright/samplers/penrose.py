@@ -54,7 +54,7 @@ _INRADIUS = 2 * _AREA / (PHI**2 + 2 * PHI)
 VECTORS = Path(__file__).with_name("penrose_vectors.npy")
 
 
-def penrose(
+def penrose_points(
     count: int, *, seed: Seed = 0, box: Box | None = None, progress: Progress | None = None
 ) -> PointSet:
     """About ``count`` points at the vertices of a Penrose tiling, moved by tabulated vectors.

@@ -11,7 +11,7 @@ LARGEST_COUNT = 2**31 - 1
 
 
 def max_radius(count: int, box: Box) -> float:
-    """Radius of ``count`` disks in the densest packing: r_max of eq. 4.2, or of spheres in eq. 4.4.
+    """Radius of ``count`` disks in the densest packing: r_max of eq. 4.2, or of spheres in eq. 4.5.
 
     Half the distance of nearest points in a hexagonal lattice (a face-centered cubic one in three
     dimensions) with ``count`` points in the box.
