@@ -82,6 +82,24 @@ def test_unknown_methods_and_bad_numbers_are_refused():
         tw.compare(["uniform"], sets=0)
 
 
+def test_nothing_is_saved_where_nothing_ran(small, tmp_path):
+    found = tw.compare(["uniform"], sets=1)
+    found.save(tmp_path / "good")
+    with pytest.raises(SystemExit) as end:
+        run(["compare", "--methods", "uniform", "--seed", "-1", "-o", str(tmp_path / "good")])
+    assert end.value.code == 2
+    assert (tmp_path / "good" / "sheet-1.png").exists()
+
+
+def test_a_comparison_can_be_stopped(small):
+    def stop(done, total, what):
+        if "spectrum" in what:
+            raise tw.Cancelled("enough")
+
+    with pytest.raises(tw.Cancelled):
+        tw.compare(["uniform"], sets=1, progress=stop)
+
+
 def test_compare_command(small, capsys):
     with pytest.raises(SystemExit) as end:
         run(["compare", "--methods", "uniform", "--sets", "2", "--json"])

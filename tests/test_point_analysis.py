@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tilewright.analysis.plates import DOMAIN, PIXELS, zone_plate, zone_plate_reference
 from tilewright.analysis.point_report import (
     POINT_MEANING,
     PointReport,
@@ -31,7 +32,6 @@ from tilewright.analysis.spectrum import (
     power_spectrum,
     spectrum_size,
 )
-from tilewright.analysis.zone_plate import DOMAIN, PIXELS, zone_plate, zone_plate_reference
 from tilewright.errors import Cancelled, TilewrightError, TilewrightTypeError, TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.darts import dart_throwing

@@ -241,3 +241,60 @@ def test_points_and_tiling_must_be_of_one_set():
         tw.PointField(tiles, tw.direct(tw.corner_tiles(2)))
     with pytest.raises(TilewrightTypeError, match="PointTiles and a Tiling"):
         tw.PointField(tiles, None)
+
+
+@pytest.mark.parametrize(
+    ("window", "local"),
+    [
+        ((2**60, 0, 10.0, 10.0), True),
+        ((2**55 + 1, 0, 9.5, 1), True),
+        ((2.0**61 - 4096, 0, 9, 9), True),
+        ((np.uint8(250), 0, 9, 9), False),
+        ((np.int8(120), np.int8(-128), 9, 9), False),
+        ((np.float32(0.1), -0.3, 3000.3, 2), False),
+    ],
+)
+def test_blocks_miss_nothing_far_out_and_in_small_numbers(window, local, monkeypatch):
+    from tilewright.fields import point_field
+
+    monkeypatch.setattr(point_field, "_BLOCK_POINTS", 500)
+    field = field_of("corner")
+    pieces = np.concatenate(list(field.blocks(*window, local=local)))
+    whole = field.points(*window, local=local)
+    assert len(pieces) == len(whole) > 0
+    orders = [np.lexsort(p.round(6).T) for p in (pieces, whole)]
+    np.testing.assert_allclose(pieces[orders[0]], whole[orders[1]], atol=1e-6)
+
+
+def test_blocks_and_samples_refuse_places_too_far_out():
+    field = field_of("corner")
+    with pytest.raises(TilewrightValueError, match="too coarse"):
+        next(field.blocks(1e17, 0, 3, 3))
+    with pytest.raises(TilewrightValueError, match="too coarse"):
+        field.sample(1000, 2**60, 0)
+    assert len(np.unique(field.sample(1000, 2**60, 0, local=True), axis=0)) == 1000
+    with pytest.raises(TilewrightValueError, match="too coarse"):
+        field.points(2**24, 0, 3, 3, out=np.empty((288, 2), np.float32), density=lambda p: np.ones(len(p)))
+
+
+def test_samples_from_places_between_cells():
+    field = field_of("corner")
+    for x in np.linspace(0.05, 0.95, 12):
+        assert len(field.sample(3200, x, x)) == 3200
+    with pytest.raises(TilewrightTypeError, match="go together"):
+        field.sample(200, width=1)
+    with pytest.raises(TilewrightTypeError, match="x must be an integer"):
+        next(field.sample_blocks(320, 0.5, 0.5))
+    with pytest.raises(TilewrightTypeError, match="count must be an integer"):
+        field.side_for("a")
+
+
+def test_a_density_function_cannot_change_the_points():
+    def overwrite(points):
+        points[:] = 0
+        return np.ones(len(points))
+
+    with pytest.raises(TilewrightValueError, match="writes into the points"):
+        field_of("corner").points(density=overwrite)
+    with pytest.raises(TilewrightTypeError, match="expected numbers"):
+        field_of("corner").points(density=lambda p: np.array(["1"] * len(p)))

@@ -1,13 +1,14 @@
 """Point files and folders of point tiles: round trips, and what is refused."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import tilewright as tw
 from tilewright.cli.main import run
-from tilewright.errors import TilewrightFileError
+from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
 
 POINTS = np.random.default_rng(1).random((500, 2))
 
@@ -116,6 +117,76 @@ def test_a_changed_or_cut_point_folder_is_refused(tmp_path):
         tw.load(tmp_path / "set")
 
 
+@pytest.mark.parametrize("suffix", [".npy", ".csv", ".parquet", ".ply"])
+def test_blocks_must_be_points_and_as_many_as_said(tmp_path, suffix):
+    path = tmp_path / f"p{suffix}"
+    for count in (499, 501, -1):
+        with pytest.raises(TilewrightValueError, match="count is"):
+            tw.write_points(path, iter([POINTS]), count)
+    for bad in ([POINTS[:3].T], [np.full((2, 2), np.nan)]):
+        with pytest.raises(TilewrightValueError):
+            tw.write_points(path, iter(bad), 2)
+    with pytest.raises(TilewrightTypeError):
+        tw.write_points(path, None)
+    with pytest.raises(TilewrightValueError, match="shape"):
+        tw.write_points(path, tw.sample_points("uniform", 9, box=tw.Box((1, 1, 1))))
+    assert list(tmp_path.iterdir()) == []
+    tw.write_points(path, [[0.25, 0.5], [0.5, 0.75]])
+    if suffix in (".npy", ".ply"):
+        with pytest.raises(TilewrightTypeError, match="count"):
+            tw.write_points(path, iter([POINTS]))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "# x y\n0.1 0.2\n0.3 0.4\n",
+        "  0.1   0.2\n 0.3 0.4\n",
+        "x y\n0.1 0.2\n0.3 0.4\n",
+        "#x,y\n0.1,0.2\n0.3,0.4\n",
+    ],
+)
+def test_tables_written_by_numpy_are_read(tmp_path, text):
+    write(tmp_path / "p.txt", text)
+    np.testing.assert_array_equal(
+        tw.read_points(tmp_path / "p.txt", tw.Box()).points, [[0.1, 0.2], [0.3, 0.4]]
+    )
+
+
+def test_what_is_saved_can_be_loaded(tmp_path):
+    rows = [np.array([[0.1, 0.2], [0.6, 0.7]])] * 16
+    tiles = tw.PointTiles.of(tw.corner_tiles(2), rows, distance=np.float32(0.25), variants=np.int32(1))
+    again = tw.PointTiles(
+        tiles.tiles, tiles.points.astype(float), tiles.starts.astype(np.uint64), tiles.ranks.astype(float)
+    )
+    for name, one in (("a", tiles), ("b", again)):
+        tw.save(one, tmp_path / name)
+        np.testing.assert_array_equal(tw.load(tmp_path / name).points, tiles.points)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"ranks": np.array([0.5, 0.1] * 16)},
+        {"points": "a"},
+        {"points": np.full((32, 2), 1.0)},
+        {"distance": np.nan},
+        {"distance": -1.0},
+        {"variants": True},
+        {"variants": 2},
+        {"starts": np.arange(17) * 2.0},
+        {"method": 3},
+        {"recipe": None},
+        {"tiles": None},
+        {"ranks": np.full(32, 1.0)},
+    ],
+)
+def test_point_tiles_that_make_no_sense_are_refused(change):
+    made = tw.PointTiles.of(tw.corner_tiles(2), [np.array([[0.1, 0.2], [0.6, 0.7]])] * 16)
+    with pytest.raises((TilewrightTypeError, TilewrightValueError)):
+        replace(made, **change)
+
+
 # The command line
 
 
@@ -188,6 +259,10 @@ def test_analyze_command_reads_points(tmp_path, capsys):
         (["--method", "dart", "--count", 1000, "--rho", 0.9], "can be reached"),
         (["--method", "dream", "--count", 10], "method is 'dream'"),
         (["--width", 2.5, "--height", 2, "--torus"], "whole tiles"),
+        (["--width", 3, "--height", 3, "--x", 1e17], "too coarse"),
+        (["--count", 1000, "--x", 2**60], "too coarse"),
+        (["--count", 10, "--method", "dart", "--save", "set"], "are for tiles"),
+        (["--count", 10, "--colors", 9, "--rho", 0.5], "at most 4096"),
     ],
 )
 def test_points_command_refuses(tmp_path, capsys, options, message):

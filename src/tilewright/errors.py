@@ -55,6 +55,8 @@ def check_real(name: str, value: Any, low: float, high: float) -> float:
         raise TilewrightTypeError(f"{name} must be a number, not {value!r}")
     try:
         number = float(value)
+    except OverflowError:
+        raise TilewrightValueError(f"{name} is too large; allowed are {low} to {high}") from None
     except (TypeError, ValueError):
         raise TilewrightTypeError(f"{name} must be a number, not {value!r}") from None
     if not low <= number <= high:  # also catches NaN

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from tilewright.analysis.comparison import Comparison, compare
     from tilewright.analysis.contestants import list_contestants
     from tilewright.analysis.laid_points import analyze_point_tiles, lay_square
+    from tilewright.analysis.plates import ZonePlate, zone_plate, zone_plate_reference
     from tilewright.analysis.point_report import (
         POINT_MEANING,
         PointReport,
@@ -34,7 +35,6 @@ if TYPE_CHECKING:
         power_spectrum,
         spectrum_size,
     )
-    from tilewright.analysis.zone_plate import ZonePlate, zone_plate, zone_plate_reference
 
 _HOME = {
     "MEANING": "report",
@@ -46,7 +46,7 @@ _HOME = {
     "Report": "report",
     "Sample": "sample",
     "Spectrum": "spectrum",
-    "ZonePlate": "zone_plate",
+    "ZonePlate": "plates",
     "analyze": "anything",
     "analyze_point_tiles": "laid_points",
     "analyze_points": "point_report",
@@ -66,8 +66,8 @@ _HOME = {
     "radial_distribution": "spacing",
     "save_comparison": "point_report",
     "spectrum_size": "spectrum",
-    "zone_plate": "zone_plate",
-    "zone_plate_reference": "zone_plate",
+    "zone_plate": "plates",
+    "zone_plate_reference": "plates",
 }
 
 __all__ = [

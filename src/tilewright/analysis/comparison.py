@@ -12,7 +12,14 @@ from tilewright import __version__
 from tilewright.analysis.contestants import Contestant, Make, list_contestants
 from tilewright.analysis.laid_points import PLATE_POINTS, SPECTRUM_POINTS
 from tilewright.analysis.point_report import PointReport, analyze_points, save_comparison
-from tilewright.errors import Progress, TilewrightError, check_choice, check_int
+from tilewright.errors import (
+    Cancelled,
+    Progress,
+    TilewrightError,
+    TilewrightTypeError,
+    check_choice,
+    check_int,
+)
 from tilewright.files.whole import as_path, check_folder, whole_folder
 from tilewright.samplers.point_set import PointSet
 
@@ -116,8 +123,12 @@ def compare(
     if methods is None:
         chosen = [c for c in everyone.values() if full or c.standard]
     else:
+        if not isinstance(methods, (list, tuple)) or not methods:
+            raise TilewrightTypeError(f"methods must be a list of names, not {methods!r}")
         chosen = [everyone[check_choice("methods", name, tuple(everyone))] for name in methods]
     many = check_int("sets", sets, 1, 1000)
+    check_int("seed", seed, 0, 2**63)
+    failed: list[TilewrightError] = []
     rows: list[dict[str, Any]] = []
     reports = []
     for done, contestant in enumerate(chosen):
@@ -137,8 +148,13 @@ def compare(
             continue
         try:
             reports.append(_measure(contestant, many, seed, limit, row, step))
+        except Cancelled:
+            raise
         except TilewrightError as error:
             row["not_run"] = str(error)
+            failed.append(error)
+    if failed and not reports:
+        raise failed[0]
     if progress is not None:
         progress(len(chosen), len(chosen), "done")
     return Comparison(rows, reports)

@@ -3,7 +3,7 @@
 from math import sqrt
 
 from tilewright.analysis.point_report import PointReport, analyze_points
-from tilewright.errors import Progress, TilewrightTypeError
+from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
 from tilewright.fields import PointField
 from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
@@ -40,6 +40,8 @@ def analyze_point_tiles(
     """
     if not isinstance(tiles, PointTiles):
         raise TilewrightTypeError(f"tiles must be PointTiles, not {type(tiles).__name__}")
+    if not len(tiles.points):
+        raise TilewrightValueError("the tiles hold no points; there is nothing to measure")
     laid = [lay_square(tiles, SPECTRUM_POINTS, seed + k) for k in range(sets)]
     plate = lay_square(tiles, PLATE_POINTS, seed + sets)
     report = analyze_points(laid, plate=plate, name=name, progress=progress)

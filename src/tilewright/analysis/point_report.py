@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.analysis.given import check_set, check_sets
+from tilewright.analysis.plates import DOMAIN, ZonePlate, zone_plate
 from tilewright.analysis.report import check_sheet
 from tilewright.analysis.spacing import (
     RadialDistribution,
@@ -18,7 +19,6 @@ from tilewright.analysis.spacing import (
     radial_distribution,
 )
 from tilewright.analysis.spectrum import Spectrum, power_spectrum
-from tilewright.analysis.zone_plate import DOMAIN, ZonePlate, zone_plate
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
 from tilewright.files.whole import whole_file
 from tilewright.samplers.point_set import PointSet

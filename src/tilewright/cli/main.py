@@ -81,6 +81,8 @@ def run(arguments: list[str] | None = None) -> None:
     except OSError as error:
         code = _say(f"the output could not be written: {(error.strerror or str(error)).lower()}")
     except Exception as error:
+        if Ending.asked:  # a signal that met a compiler or a library in the middle of something
+            sys.exit(_say("stopped", _INTERRUPTED))
         # Usage errors: their class comes from click or from typer's own copy of it.
         message = getattr(error, "format_message", None)
         if message is None:

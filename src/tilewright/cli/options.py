@@ -38,6 +38,8 @@ class Ending:
     @classmethod
     def ask(cls, number: int, frame: object) -> None:
         """Handle a signal: end as an interrupt does, so that what is half-written is removed."""
+        if cls.asked:
+            return  # it is ending already
         cls.asked = True
         raise KeyboardInterrupt
 

@@ -77,6 +77,8 @@ def command(
         check_savable(save)
     with progress_bar() as progress:
         if tiles is None and method in METHODS:
+            if save is not None or x or y:
+                raise TilewrightValueError(f"--save, --x and --y are for tiles; {method} has none")
             made = _sample(method, count, rho, size, torus, seed, progress)
             result: PointSet | Blocks = made
             total, promised = len(made), made.distance
@@ -85,7 +87,7 @@ def command(
             if save is not None:
                 save_tiles(chosen, save)
             result, total = _lay(chosen, count, (x, y), size, torus, lattice_seed)
-            promised = chosen.distance
+            promised = getattr(result, "distance", chosen.distance)
         write_points(output, result, total)
     seconds = time.perf_counter() - started
     report(
@@ -145,8 +147,10 @@ def _lay(
     from tilewright.tilings import direct
 
     if torus:
-        if count is not None or size is None or size[0] % 1 or size[1] % 1:
-            raise TilewrightValueError("--torus takes --width and --height of whole tiles, and no --count")
+        if count is not None or size is None or size[0] % 1 or size[1] % 1 or any(corner):
+            raise TilewrightValueError(
+                "--torus takes --width and --height of whole tiles, and no --count, --x or --y"
+            )
         period = (int(size[0]), int(size[1]))
         made = PointField(tiles, direct(tiles.tiles, lattice_seed, period=period)).torus()
         return made, len(made)

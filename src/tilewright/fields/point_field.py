@@ -1,8 +1,7 @@
 """Points over a tiling: those of any window of an endless plane, each with an identity that stays."""
 
 from collections.abc import Iterator
-from itertools import pairwise
-from math import ceil, floor
+from math import ceil
 from typing import Any
 
 import numpy as np
@@ -10,13 +9,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_real
 from tilewright.fields.nearest import NearestSearch
-from tilewright.fields.point_window import MOST_POINTS, PointWindow, View, check_window
+from tilewright.fields.point_window import MOST_POINTS, PointWindow, View, Window
 from tilewright.fields.thinning import DensityFunction, draw_lowest, evaluate_density, share_out
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.point_set import PointSet
 from tilewright.signals.points import PointTiles
 from tilewright.tilings import MixerHash, Tiling
 from tilewright.tilings.direct import DirectTiling
+from tilewright.tilings.domain import LARGEST_CELL
 
 Density = float | DensityFunction
 """A share 0 to 1 of the points, or a function that gives it at points, shape (n, 2) -> (n,)."""
@@ -96,7 +96,7 @@ class PointField:
             A window that is empty, too large to hold, or so far out that its points would run together in
             the precision of the result; too small an ``out``.
         """
-        view = self._view(x, y, width, height)
+        view = self._view(Window.of(x, y, width, height))
         return self._lay(view, density, local, out)[0]
 
     def window(
@@ -110,10 +110,10 @@ class PointField:
         local: bool = False,
     ) -> PointWindow:
         """Points of a window as `points` gives them, with cells, numbers in the tile, ranks and ids."""
-        view = self._view(x, y, width, height)
+        view = self._view(Window.of(x, y, width, height))
         points, names = self._lay(view, density, local, None, named=True)
         ranks = self._ranks_of(view, names)
-        cells = names[:, 1::-1] + np.array([view.column, view.row], np.int64)
+        cells = names[:, 1::-1] + np.array([view.window.column, view.window.row], np.int64)
         return PointWindow(points, cells, names[:, 2], ranks, self._bits)
 
     def count(
@@ -127,7 +127,7 @@ class PointField:
     ) -> int:
         """How many points `points` gives for the same window."""
         rank = _check_share(density)
-        return int(self._counts(self._view(x, y, width, height), rank).sum())
+        return int(self._counts(self._view(Window.of(x, y, width, height)), rank).sum())
 
     def sample(
         self,
@@ -136,6 +136,8 @@ class PointField:
         y: float = 0,
         width: float | None = None,
         height: float | None = None,
+        *,
+        local: bool = False,
     ) -> NDArray[np.float64]:
         """Exactly ``count`` points of a window: those of lowest rank, and of equal rank some by chance.
 
@@ -146,23 +148,27 @@ class PointField:
             North-west corner.
         width, height : float, optional
             By default the smallest square of whole tiles that holds enough points.
+        local : bool
+            As in `points`.
 
         Returns
         -------
         float64 array, shape (count, 2)
         """
         n = check_int("count", count, 1, MOST_POINTS, "sample_blocks() gives larger sets a piece at a time")
+        if (width is None) != (height is None):
+            raise TilewrightTypeError("width and height go together; leave out both for the smallest square")
         if width is None or height is None:
             width = height = self.side_for(n, x, y)
-        view = self._view(x, y, width, height)
-        if view.is_whole:
-            return np.concatenate(list(self._lay_quotas(view, n)))
-        found = self.window(x, y, width, height)
+        window = Window.of(x, y, width, height)
+        if window.is_whole:
+            return np.concatenate(list(self._lay_quotas(self._view(window), n, local)))
+        found = self.window(x, y, width, height, local=local)
         kept = draw_lowest(found, n)
         return found.points[kept]
 
     def sample_blocks(
-        self, count: int, x: int = 0, y: int = 0, side: int | None = None
+        self, count: int, x: int = 0, y: int = 0, side: int | None = None, *, local: bool = False
     ) -> Iterator[NDArray[np.float64]]:
         """The points `sample` gives for a square of whole tiles, in pieces of some million.
 
@@ -175,19 +181,22 @@ class PointField:
             Side of the square in tiles; the smallest that holds enough points by default.
         """
         n = check_int("count", count, 1, 2**40)
-        side = self.side_for(n, x, y) if side is None else side
-        yield from self._lay_quotas(View.of(self.rows_at, 1.0, x, y, side, side), n)
+        left, top = (check_int(a, v, -LARGEST_CELL, LARGEST_CELL) for a, v in (("x", x), ("y", y)))
+        along = self.side_for(n, left, top) if side is None else check_int("side", side, 1, MOST_POINTS)
+        view = View.of(self.rows_at, 1.0, Window.of(left, top, along, along))
+        yield from self._lay_quotas(view, n, local)
 
     def side_for(self, count: int, x: float = 0, y: float = 0) -> int:
-        """Side of the smallest square of whole tiles, from (x, y) on, that holds ``count`` points."""
+        """Side of the smallest square, in whole tiles and from (x, y) on, that holds ``count`` points."""
+        n = check_int("count", count, 1, 2**40)
         if self.tiles.density == 0:
             raise TilewrightValueError("the tiles hold no points")
-        side = max(1, ceil((count / self.tiles.density) ** 0.5))
-        if self._same:
+        side = max(1, ceil((n / self.tiles.density) ** 0.5))
+        if self._same and Window.of(x, y, 1, 1).is_whole:
             return side
-        while side > 1 and self.count(x, y, side - 1, side - 1) >= count:
+        while side > 1 and self.count(x, y, side - 1, side - 1) >= n:
             side -= 1
-        while self.count(x, y, side, side) < count:
+        while self.count(x, y, side, side) < n:
             side += 1
         return side
 
@@ -206,18 +215,9 @@ class PointField:
         The pieces together hold the same points as `points`; they are bands of whole rows of cells, or
         parts of bands where these are long. With ``local``, points count from the corner of the window.
         """
-        check_window(x, y, width, height)
         most = max(1, int(_BLOCK_POINTS / max(self.tiles.density, 1e-9)))
-        columns = min(ceil(width) + 1, most)
-        rows = max(1, most // columns)
-        for top, tall in _cuts(y, height, rows):
-            for left, wide in _cuts(x, width, columns):
-                if not local:
-                    yield self.points(left, top, wide, tall, density=density)
-                    continue
-                shift = np.array([float(left - x), float(top - y)])
-                share = _shifted(density, shift) if callable(density) else density
-                yield self.points(left, top, wide, tall, density=share, local=True) + shift
+        for piece in Window.of(x, y, width, height).pieces(most):
+            yield self._lay(self._view(piece), density, local, None)[0]
 
     def nearest(self, positions: ArrayLike) -> tuple[NDArray[np.float64], PointWindow]:
         """The nearest point of the field to each position.
@@ -266,8 +266,8 @@ class PointField:
         picked = hash.numbers(_VARIANTS, x[np.newaxis, :], y[:, np.newaxis]) * variants >> 24
         return (indices * variants + picked).astype(np.int32)
 
-    def _view(self, x: Any, y: Any, width: Any, height: Any) -> View:
-        return View.of(self.rows_at, self.tiles.density, x, y, width, height)
+    def _view(self, window: Window) -> View:
+        return View.of(self.rows_at, self.tiles.density, window)
 
     def _counts(self, view: View, rank: float) -> NDArray[np.int64]:
         """Points below a rank in every row of cells."""
@@ -275,7 +275,7 @@ class PointField:
 
         counts = np.zeros(view.cells.shape[0], np.int64)
         tiles = self.tiles
-        count_points(view.cells, tiles.starts, tiles.points, tiles.ranks, rank, *view.bounds, counts)
+        count_points(view.cells, tiles.starts, tiles.points, tiles.ranks, rank, *view.window.bounds, counts)
         return counts
 
     def _lay(
@@ -290,19 +290,22 @@ class PointField:
         from tilewright.kernels.emission import lay_points, lay_whole_tiles
 
         tiles, function = self.tiles, density if callable(density) else None
+        if out is not None:
+            _check_out(out, 0)
         rank = 1.0 if callable(density) else _check_share(density)
         named = named or function is not None
-        whole = view.is_whole and self._same > 0 and rank >= 1 and not named
+        whole = view.window.is_whole and self._same > 0 and rank >= 1 and not named
         counts = None if whole else self._counts(view, rank)
         n = view.cells.size * self._same if counts is None else int(counts.sum())
         target = _check_out(out, n) if function is None else _make_out(n)
-        x0, y0 = view.origin(local, target.dtype, self._spacing)
+        kinds = (target.dtype,) if out is None else (target.dtype, out.dtype)
+        x0, y0 = view.window.origin(local, kinds, self._spacing)
         names = np.zeros((n if named else 0, 3), np.int64)
         if counts is None:
             lay_whole_tiles(view.cells, tiles.points.ravel(), self._same, x0, y0, target.reshape(-1))
         else:
             lay_points(
-                view.cells, tiles.starts, tiles.points, tiles.ranks, rank, *view.bounds,
+                view.cells, tiles.starts, tiles.points, tiles.ranks, rank, *view.window.bounds,
                 np.cumsum(counts) - counts, x0, y0, target, named, names,
             )  # fmt: skip
         if function is None:
@@ -324,10 +327,11 @@ class PointField:
         """A length that coordinates must tell apart."""
         return self.tiles.distance or 0.1 / max(self.tiles.density, 1e-9) ** 0.5
 
-    def _lay_quotas(self, view: View, count: int) -> Iterator[NDArray[np.float64]]:
+    def _lay_quotas(self, view: View, count: int, local: bool) -> Iterator[NDArray[np.float64]]:
         """The ``count`` points of lowest rank of whole cells, a band of rows at a time."""
         from tilewright.kernels.emission import lay_first_points
 
+        x0, y0 = view.window.origin(local, (np.dtype(np.float64),), self._spacing)
         quotas = share_out(self.tiles, view, count)
         per_row = quotas.sum(axis=1, dtype=np.int64)
         band = max(1, _BLOCK_POINTS // max(1, int(per_row.max())))
@@ -337,7 +341,7 @@ class PointField:
             firsts = np.cumsum(per_row[rows]) - per_row[rows]
             lay_first_points(
                 view.cells[rows], quotas[rows], firsts, self.tiles.starts, self.tiles.points,
-                float(view.column), float(view.row + top), points,
+                x0, y0 + top, points,
             )  # fmt: skip
             yield points
 
@@ -372,16 +376,3 @@ def _check_out(out: Any, n: int) -> NDArray[Any]:
             f"{out.flags.writeable}; expected float32 or float64 (at least {n}, 2), C-contiguous and writable"
         )
     return out[:n]
-
-
-def _cuts(first: Any, extent: float, cells: int) -> list[tuple[Any, float]]:
-    """A range cut at whole cells into pieces of so many: their starts and lengths."""
-    start = floor(first)
-    end = first + extent
-    places = [first, *range(start + cells, ceil(end), cells), end]
-    return [(a, b - a) for a, b in pairwise(places) if b > a]
-
-
-def _shifted(density: DensityFunction, shift: NDArray[np.float64]) -> DensityFunction:
-    """A density function of the whole window's local coordinates, for a piece of it."""
-    return lambda points: density(points + shift)

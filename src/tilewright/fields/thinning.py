@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.fields.point_window import PointWindow, View
 from tilewright.signals.points import PointTiles
 from tilewright.tilings import MixerHash
@@ -25,14 +25,14 @@ def share_out(tiles: PointTiles, view: View, count: int) -> NDArray[np.int32]:
     times = np.repeat(cells, tiles.counts)
     order = np.argsort(tiles.ranks, kind="stable")
     total = np.cumsum(times[order])
-    _check_enough(count, int(total[-1]))
+    _check_enough(count, int(total[-1]) if len(total) else 0)
     last = tiles.ranks[order[int(np.searchsorted(total, count))]]
     row = np.repeat(np.arange(len(cells)), tiles.counts)
     quotas = np.bincount(row[tiles.ranks <= last], minlength=len(cells)).astype(np.int32)[view.cells]
     excess = int(quotas.sum(dtype=np.int64)) - count
     # Of the cells that hold a point of the highest rank some give one less, by lot.
     i, j = np.nonzero(np.isin(view.cells, row[tiles.ranks == last]))
-    lots = MixerHash(0).words(_LOTS, view.column + j, view.row + i)
+    lots = MixerHash(0).words(_LOTS, view.window.column + j, view.window.row + i)
     lose = np.argsort(lots, kind="stable")[:excess]
     quotas[i[lose], j[lose]] -= 1
     return quotas
@@ -48,7 +48,17 @@ def draw_lowest(window: PointWindow, count: int) -> NDArray[np.intp]:
 
 def evaluate_density(density: DensityFunction, points: NDArray[np.float64]) -> NDArray[np.float64]:
     """What a density function says of points, if it says a share for each."""
-    shares = np.asarray(density(points), np.float64)
+    shown = points.view()
+    shown.setflags(write=False)
+    try:
+        shares = np.asarray(density(shown))
+    except ValueError as error:
+        if "read-only" in str(error):
+            raise TilewrightValueError("the density function writes into the points it is given") from None
+        raise
+    if shares.dtype.kind not in "biuf":
+        raise TilewrightTypeError(f"the density function answered {shares.dtype}; expected numbers")
+    shares = shares.astype(np.float64)
     if shares.shape != (len(points),):
         raise TilewrightValueError(
             f"the density function answered shape {shares.shape} for {len(points)} points; expected one "

@@ -1,14 +1,20 @@
 """Point sets in files that other programs read: NPY, CSV, Parquet and PLY."""
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightValueError
+from tilewright.errors import (
+    TilewrightError,
+    TilewrightFileError,
+    TilewrightTypeError,
+    TilewrightValueError,
+    check_int,
+)
 from tilewright.files.whole import as_path, check_file, whole_file
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.point_set import PointSet
@@ -22,7 +28,7 @@ _NOTE = b"tilewright"
 """Key of the Parquet metadata that says which box the points lie in."""
 
 
-def write_points(path: str | Path, points: PointSet | NDArray[np.float64] | Blocks, count: int = 0) -> None:
+def write_points(path: str | Path, points: PointSet | ArrayLike | Blocks, count: int | None = None) -> None:
     """Write points, a block at a time where they come so; the file appears when it is complete.
 
     Parameters
@@ -31,25 +37,53 @@ def write_points(path: str | Path, points: PointSet | NDArray[np.float64] | Bloc
         ``.npy``: float64, shape (n, 2). ``.csv``: columns x, y under a header. ``.parquet``: columns x, y,
         and the box of a PointSet. ``.ply``: binary vertices, z = 0.
     points : PointSet, array of shape (n, 2), or iterable of such arrays
-    count : int
-        How many points an iterable gives; NPY and PLY say so before the first.
+    count : int, optional
+        How many points an iterable gives; NPY and PLY need to say so before the first.
 
     Raises
     ------
     TilewrightFileError
         A name of another kind; a file that cannot be written.
+    TilewrightValueError
+        Points that are not finite pairs of numbers, or another number of them than ``count``.
     """
     target = check_point_file(path)
+    box, blocks, number = None, points, count
     if isinstance(points, PointSet):
-        box: Box | None = points.box
-        blocks: Blocks = [points.points]
-        count = len(points)
-    elif isinstance(points, np.ndarray):
-        box, blocks, count = None, [as_points(points)], len(points)
-    else:
-        box, blocks = None, points
+        box, blocks, number = points.box, [as_points(points.points)], len(points)
+    elif isinstance(points, np.ndarray) or _is_table(points):
+        table = as_points(points)  # type: ignore[arg-type]
+        blocks, number = [table], len(table)
+    elif not isinstance(points, Iterable):
+        raise TilewrightTypeError(f"points must be a PointSet or points, not {type(points).__name__}")
+    elif target.suffix.lower() in (".npy", ".ply") or count is not None:
+        number = check_int("count", count, 0, 2**40, "the number of points must be known before the first")
     with whole_file(target) as unfinished:
-        _WRITERS[target.suffix.lower()](unfinished, blocks, count, box)
+        written = _Counted(blocks)  # type: ignore[arg-type]
+        _WRITERS[target.suffix.lower()](unfinished, written, number or 0, box)
+        if number is not None and written.rows != number:
+            raise TilewrightValueError(f"count is {number} and {written.rows} points came")
+
+
+def _is_table(points: Any) -> bool:
+    """Whether a list holds points, not blocks of them."""
+    return isinstance(points, (list, tuple)) and not any(
+        isinstance(p, np.ndarray) and p.ndim == 2 for p in points
+    )
+
+
+class _Counted:
+    """Blocks of points, each checked, and how many points have come."""
+
+    def __init__(self, blocks: Blocks) -> None:
+        self.blocks = blocks
+        self.rows = 0
+
+    def __iter__(self) -> Iterator[NDArray[np.float64]]:
+        for block in self.blocks:
+            checked = as_points(block)
+            self.rows += len(checked)
+            yield checked
 
 
 def check_point_file(path: str | Path) -> Path:
@@ -77,6 +111,8 @@ def read_points(path: str | Path, box: Box | None = None) -> PointSet:
     TilewrightFileError
         No such file, one of another kind, damaged, with fewer than two columns, text, or NaN.
     """
+    if box is not None and not isinstance(box, Box):
+        raise TilewrightTypeError(f"box must be a Box, not {box!r}; Box((width, height)) makes one")
     source = as_path(path)
     if source.suffix.lower() not in _READERS:
         raise TilewrightFileError(f"{source} is not a point file; {', '.join(_READERS)} can be read")
@@ -179,11 +215,13 @@ def _read_csv(path: Path) -> tuple[Any, None]:
     import pyarrow.csv
 
     with path.open("rb") as stream:
-        first = stream.readline(4096).decode("utf-8", "replace")
+        first = stream.readline(4096).decode("utf-8", "replace").strip()
     delimiter = next((d for d in ",;\t" if d in first), " ")
-    has_header = any(
-        c.isalpha() for c in first.lower().replace("e", "").replace("nan", "").replace("inf", "")
-    )
+    words = first.lower().replace("e", "").replace("nan", "").replace("inf", "")
+    has_header = any(c.isalpha() for c in words)
+    if delimiter == " " or first.startswith("#"):
+        skipped = int(has_header and not first.startswith("#"))
+        return np.loadtxt(path, delimiter=delimiter.strip() or None, skiprows=skipped, ndmin=2), None
     table = pyarrow.csv.read_csv(
         path,
         read_options=pyarrow.csv.ReadOptions(autogenerate_column_names=not has_header),
@@ -219,6 +257,8 @@ def _two_columns(table: Any) -> NDArray[Any]:
         names = ["x", "y"] if {"x", "y"} <= set(table) else list(table)[:2]
         if len(names) < 2:
             raise TilewrightValueError(f"has one column, {', '.join(table)}; points need x and y")
+        if not len(table[names[0]]):
+            raise TilewrightValueError("no points")
         for name in names:
             if table[name].dtype.kind not in "iuf":
                 raise TilewrightValueError(f"column {name} holds {table[name].dtype}, not numbers")

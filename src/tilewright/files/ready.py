@@ -2,7 +2,7 @@
 
 from importlib.resources import as_file, files
 
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightValueError, check_int
 from tilewright.files.tileset_folder import load_points
 from tilewright.signals.points import PointTiles
 
@@ -25,13 +25,14 @@ def ready_tiles(colors: int = 4, points: int = 32, rho: float = 0.75) -> PointTi
     TilewrightValueError
         There is no such set; the message names those there are.
     """
-    if (colors, points, rho) not in READY:
+    wanted = (check_int("colors", colors, 1, 16), check_int("points", points, 1, 10**6), float(rho))
+    if wanted not in READY:
         known = "; ".join(f"{c}, {n}, {r:.2f}" for c, n, r in READY)
         raise TilewrightValueError(
             f"no set of {colors} colors, {points} points and rho {rho} comes with the package; there are "
             f"{known}, and poisson_tiles() makes any other"
         )
-    with as_file(files("tilewright.files") / "ready_tiles" / folder_name(colors, points, rho)) as folder:
+    with as_file(files("tilewright.files") / "ready_tiles" / folder_name(*wanted)) as folder:
         return load_points(folder)
 
 

@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_real
 from tilewright.tiles import TileSet
+from tilewright.tiles.tileset import check_tiles
 
 _ONE = np.nextafter(np.float32(1), np.float32(0))
 
@@ -50,12 +51,20 @@ class PointTiles:
     figures: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        check_tiles("tiles", self.tiles)
+        for name, kind in (("points", np.float32), ("starts", np.int64), ("ranks", np.float32)):
+            object.__setattr__(self, name, _as_array(name, getattr(self, name), kind))
         n = len(self.points)
-        if self.points.shape != (n, 2) or self.ranks.shape != (n,):
+        if self.points.shape != (n, 2) or self.ranks.shape != (n,) or self.starts.ndim != 1:
             raise TilewrightValueError(
-                f"points has shape {self.points.shape} and ranks {self.ranks.shape}; expected (P, 2) and (P,)"
+                f"points has shape {self.points.shape}, ranks {self.ranks.shape} and starts "
+                f"{self.starts.shape}; expected (P, 2), (P,) and one axis"
             )
-        if self.variants < 1 or len(self.starts) != len(self.tiles) * self.variants + 1:
+        object.__setattr__(self, "variants", check_int("variants", self.variants, 1, 2**31))
+        object.__setattr__(self, "distance", check_real("distance", self.distance, 0.0, 1.5))
+        if not isinstance(self.method, str) or not isinstance(self.recipe, dict):
+            raise TilewrightTypeError("method must be a word and recipe a dict")
+        if len(self.starts) != len(self.tiles) * self.variants + 1:
             raise TilewrightValueError(
                 f"starts has {len(self.starts)} entries; {len(self.tiles)} tiles of {self.variants} variants "
                 f"need {len(self.tiles) * self.variants + 1}"
@@ -66,6 +75,13 @@ class PointTiles:
             raise TilewrightValueError("points must lie in their tile, from 0 up to 1")
         if not ((self.ranks >= 0) & (self.ranks < 1)).all():
             raise TilewrightValueError("ranks must be from 0 up to 1")
+        firsts = self.starts[:-1][np.diff(self.starts) > 0]
+        falls = np.diff(self.ranks, prepend=np.float32(0)) < 0
+        falls[firsts] = False
+        if falls.any():
+            raise TilewrightValueError(
+                "ranks must not fall within a tile; PointTiles.of() sorts points by rank"
+            )
 
     @classmethod
     def of(
@@ -105,5 +121,17 @@ class PointTiles:
 
     def tile(self, index: int, variant: int = 0) -> NDArray[np.float32]:
         """Points of one tile, shape (n, 2), in the order of their ranks."""
-        row = index * self.variants + variant
+        index = check_int("index", index, 0, len(self.tiles) - 1)
+        row = index * self.variants + check_int("variant", variant, 0, self.variants - 1)
         return self.points[self.starts[row] : self.starts[row + 1]]
+
+
+def _as_array(name: str, given: Any, kind: type[np.generic]) -> NDArray[Any]:
+    """An array of a kind, if numbers were given that it can hold."""
+    try:
+        array = np.asarray(given)
+        if array.dtype.kind not in ("iu" if kind is np.int64 else "iuf"):
+            raise TypeError
+        return np.ascontiguousarray(array, kind)
+    except (TypeError, ValueError):
+        raise TilewrightTypeError(f"{name} must hold {np.dtype(kind)} numbers") from None

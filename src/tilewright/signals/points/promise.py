@@ -10,7 +10,7 @@ from math import inf, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_real
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import max_radius
 from tilewright.signals.points.point_tiles import PointTiles
@@ -47,12 +47,12 @@ class Closeness:
     @property
     def rho(self) -> float:
         """The relative radius of every tiling is at least this, for the mean number of points per tile."""
-        return self.distance / 2 / self._max_radius
+        return self.distance / 2 / self._max_radius if self.density else inf
 
     @property
     def intra_rho(self) -> float:
         """The relative radius of points of one tile only (Lagae 2007, section 6.7)."""
-        return self.within / 2 / self._max_radius
+        return self.within / 2 / self._max_radius if self.density else inf
 
     @property
     def _max_radius(self) -> float:
@@ -74,6 +74,8 @@ def find_closeness(tiles: PointTiles, reach: float = 1.0) -> Closeness:
         raise TilewrightTypeError(f"tiles must be PointTiles, not {type(tiles).__name__}")
     if tiles.tiles.shape.dimension != 2:
         raise TilewrightValueError(f"the {tiles.tiles.name} set has no square tiles")
+    if not check_real("reach", reach, 0.0, inf) > 0:
+        raise TilewrightValueError(f"reach is {reach}; more than 0 is needed")
     from tilewright.kernels.closeness import find_closest_within
 
     points = tiles.points.astype(np.float64)

@@ -11,6 +11,7 @@ from math import ceil, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.signals.points.point_tiles import PointTiles
 
 _USUAL_POINTS = 16384
@@ -75,7 +76,11 @@ class Spikes:
 
 def find_spikes(tiles: PointTiles) -> Spikes:
     """The spikes that every tiling with a set has, all its tiles being equally frequent."""
+    if not isinstance(tiles, PointTiles):
+        raise TilewrightTypeError(f"tiles must be PointTiles, not {type(tiles).__name__}")
     n = tiles.density
+    if n == 0:
+        raise TilewrightValueError("the tiles hold no points, so they have no spectrum")
     weights = np.full(len(tiles.points), 1 / (len(tiles.starts) - 1))
     inner = window_reach(n)
     reach = 2 * inner

@@ -21,7 +21,7 @@ from tilewright.tiles.tileset import check_tiles
 METHODS = ("balanced", "relaxed")
 _FEWEST, _MOST = 8, 256
 _LARGEST_RHO = {"balanced": 0.85, "relaxed": 0.87}
-_MOST_INTERIORS = 65536
+_MOST_TILES, _MOST_INTERIORS = 4096, 65536
 _LLOYD = 16
 _TRIES, _ATTEMPTS = 4, 50
 
@@ -71,14 +71,19 @@ def poisson_tiles(
         The disks are too large for a tile, or rho cannot be reached.
     """
     check_tiles("tiles", tiles)
-    check_int("points", points, _FEWEST, _MOST, "more points lie in more tiles")
+    if len(tiles) > _MOST_TILES:
+        raise TilewrightValueError(
+            f"tiles has {len(tiles)} tiles; at most {_MOST_TILES} can be filled, those of 8 corner colors"
+        )
+    points = check_int("points", points, _FEWEST, _MOST, "more points lie in more tiles")
     check_choice("method", method, METHODS)
-    check_int("variants", variants, 1, max(1, _MOST_INTERIORS // len(tiles)))
+    variants = check_int("variants", variants, 1, max(1, _MOST_INTERIORS // len(tiles)))
     if len(tiles) * variants == 1:
         raise TilewrightValueError(
             "tiles has a single tile, which would repeat; take more colors, or variants"
         )
-    if not 0 < check_real("rho", rho, 0.0, 1.0) <= _LARGEST_RHO[method]:
+    rho = check_real("rho", rho, 0.0, 1.0)
+    if not 0 < rho <= _LARGEST_RHO[method]:
         raise TilewrightValueError(
             f"rho is {rho}; {method} tiles reach more than 0 and up to {_LARGEST_RHO[method]}"
         )
@@ -127,7 +132,7 @@ def _finish(
     distance = 2 * rho * max_radius(plan.points, Box())
     recipe = {
         "points": plan.points, "rho": rho, "variants": plan.variants,
-        "seed": seed if isinstance(seed, int) else None,
+        "seed": None if isinstance(seed, np.random.Generator) else int(seed),
     }  # fmt: skip
     made = PointTiles.of(
         plan.tiles, rows, [ranks[n] for n in numbers],
