@@ -263,6 +263,8 @@ def _two_columns(table: Any) -> NDArray[Any]:
             if table[name].dtype.kind not in "iuf":
                 raise TilewrightValueError(f"column {name} holds {table[name].dtype}, not numbers")
         return np.stack([table[name] for name in names], axis=1)
+    if table.ndim == 2 and table.shape[1] == 1:
+        raise TilewrightValueError("has one column; points need x and y")
     if table.dtype.kind not in "iuf" or table.ndim != 2 or table.shape[1] < 2:
         raise TilewrightValueError(f"holds {table.dtype} {table.shape}; points are numbers, shape (n, 2)")
     two: NDArray[Any] = table[:, :2]
