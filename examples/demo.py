@@ -1,4 +1,4 @@
-"""From one photograph to an endless texture: tile set, picture, viewer page.
+"""From one photograph to an endless texture: tile set, picture, viewer page; and a million points.
 
 Without a photograph, scikit-image's gravel is taken (CC0).
 """
@@ -35,6 +35,10 @@ def main() -> None:
         field.save(out / "plane.png", width=4096, height=4096)
     with step("page to pan, zoom and tilt", out / "viewer.html"):
         tw.save_viewer(material, out / "viewer.html", seed=7)
+    with step("blue noise: exactly 1,000,000 points", out / "points.npy"):
+        blue = tw.ready_tiles()
+        points = tw.PointField(blue, tw.direct(blue.tiles, seed=7))
+        tw.write_points(out / "points.npy", points.sample(1_000_000))
     print(f"\nOpen {out / 'viewer.html'} in a browser.")
 
 

@@ -60,14 +60,9 @@ class Regions:
         """Area of the frame of one tile: one corner region and two strips."""
         return 1 - (1 - 2 * self.radius) ** 2
 
-    def check(self) -> None:
-        """Raise unless corner regions of neighboring lattice points are at least 2r apart."""
-        reach = self.radius * (1 + sqrt(2))
-        if 2 * reach + 2 * self.radius > 1:
-            raise TilewrightValueError(
-                f"disks of radius {self.radius:.4f} tiles are too large for a tile: the regions around its "
-                f"corners meet beyond {1 / (4 + 2 * sqrt(2)):.4f}; ask for more points per tile or less rho"
-            )
+
+LARGEST_RADIUS = 1 / (4 + 2 * sqrt(2))
+"""In tiles: with larger disks the regions around two corners of a tile would be less than 2r apart."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,9 +5,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.errors import TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import max_radius
-from tilewright.signals.points.anatomy import INTERIOR, OFFSETS, Anatomy, Regions, anatomy_of
+from tilewright.signals.points.anatomy import (
+    INTERIOR,
+    LARGEST_RADIUS,
+    OFFSETS,
+    Anatomy,
+    Regions,
+    anatomy_of,
+)
 from tilewright.tiles import TileSet
 
 _SLACK = 1e-5
@@ -45,9 +53,15 @@ class Plan:
     ) -> "Plan":
         """A plan, or an error where the disks are too large for a tile."""
         distance = 2 * rho * max_radius(points, Box()) * (1 + _SLACK)
-        regions = Regions(distance / 2, shape)
-        regions.check()
-        return cls(tiles, anatomy_of(tiles), regions, points, distance, variants, key, lloyd)
+        largest = LARGEST_RADIUS / max_radius(points, Box()) / (1 + _SLACK)
+        if rho > largest:
+            raise TilewrightValueError(
+                f"rho is {rho}; with {points} points disks are too large for a tile beyond "
+                f"{int(100 * largest) / 100}; ask for more points per tile or less rho"
+            )
+        return cls(
+            tiles, anatomy_of(tiles), Regions(distance / 2, shape), points, distance, variants, key, lloyd
+        )
 
     @property
     def colors(self) -> int:

@@ -96,7 +96,7 @@ def poisson_tiles(
             return _finish(plan, parts, rho, method, seed, progress)
     raise TilewrightValueError(
         f"rho is {rho}; some of the {len(tiles)} tiles found no room for {points} points in {_TRIES} trials; "
-        "ask for less rho, or for more points per tile"
+        "0.85 can be reached with 16 points and more, 0.80 with 12"
     )
 
 
