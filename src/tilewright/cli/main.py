@@ -58,6 +58,9 @@ def main() -> None:
     for number in (getattr(signal, name, None) for name in ("SIGINT", "SIGTERM", "SIGHUP")):
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, Ending.ask)
+    # A signal may meet a callback of a compiler, which cannot pass it on; `Ending` remembers it.
+    shown = sys.unraisablehook
+    sys.unraisablehook = lambda lost: None if Ending.asked else shown(lost)
     run()
 
 
