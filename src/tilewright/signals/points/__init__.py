@@ -5,9 +5,11 @@ from typing import TYPE_CHECKING
 from tilewright.lazy import load_lazily
 
 if TYPE_CHECKING:
+    from tilewright.signals.points.border import BorderDensity, border_density
     from tilewright.signals.points.catalog import TILE_METHODS, make_point_tiles
     from tilewright.signals.points.point_tiles import PointTiles
     from tilewright.signals.points.promise import Closeness, find_closeness
+    from tilewright.signals.points.recursion import recursive_points
     from tilewright.signals.points.spikes import Spikes, find_spikes
     from tilewright.signals.points.synthesis import METHODS, poisson_tiles
 
@@ -15,24 +17,30 @@ if TYPE_CHECKING:
 _HOME = {
     "METHODS": "synthesis",
     "TILE_METHODS": "catalog",
+    "BorderDensity": "border",
     "Closeness": "promise",
     "PointTiles": "point_tiles",
     "Spikes": "spikes",
+    "border_density": "border",
     "find_closeness": "promise",
     "find_spikes": "spikes",
     "make_point_tiles": "catalog",
     "poisson_tiles": "synthesis",
+    "recursive_points": "recursion",
 }
 
 __all__ = [
     "METHODS",
     "TILE_METHODS",
+    "BorderDensity",
     "Closeness",
     "PointTiles",
     "Spikes",
+    "border_density",
     "find_closeness",
     "find_spikes",
     "make_point_tiles",
     "poisson_tiles",
+    "recursive_points",
 ]
 __getattr__, __dir__ = load_lazily(__name__, _HOME)
