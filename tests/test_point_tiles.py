@@ -6,7 +6,7 @@ from scipy.spatial import cKDTree
 
 import tilewright as tw
 from tilewright.errors import TilewrightValueError
-from tilewright.signals.points.anatomy import OFFSETS, Regions, anatomy_of
+from tilewright.signals.points.anatomy import OFFSETS, anatomy_of
 from tilewright.signals.points.plan import Parts, Plan, fill_interiors
 from tilewright.signals.points.spikes import mean_spectrum
 from tilewright.tiles import WANG, TileSet
@@ -163,8 +163,8 @@ def test_strips_around_a_corner_are_2r_apart():
         inside = xy[(kinds == 3) & (xy[:, 0] > 0) & (xy[:, 1] > 0)]
         for a, b in ((east, south), (east, west), (west, inside)):
             assert cKDTree(a).query(b)[0].min() >= 2 * r
-        area = (kinds == 0).mean() * 0.64
-        assert area == pytest.approx(Regions(r, shape).corner_area, rel=0.02)
+        share = 8 * 2**0.5 + (8 if shape == "octagon" else 0)
+        assert (kinds == 0).mean() * 0.64 == pytest.approx(share * r**2, rel=0.02)
 
 
 def parts_on_grid(r, shape):

@@ -209,3 +209,13 @@ def test_sources_and_origins_must_belong_together(tmp_path):
     tw.save(tw.TextureTiles(material.tiles, material.maps, material.sources, origins), tmp_path / "set")
     with pytest.raises(TilewrightError, match="origins"):
         tw.load(tmp_path / "set")
+
+
+def test_the_manifest_has_a_tile_on_a_line_and_leaves_names_alone(tmp_path):
+    recipe = {"name": "photo[1,2].png", "numbers": [1.5, -2.0]}
+    tiles = tw.PointTiles.of(tw.corner_tiles(2), [np.zeros((1, 2))] * 16, recipe=recipe)
+    tw.save(tiles, tmp_path / "set")
+    text = (tmp_path / "set" / "tileset.json").read_text()
+    assert "[0, 1, 1, 0]" in text
+    assert "[1.5, -2.0]" in text
+    assert tw.load(tmp_path / "set").recipe == recipe

@@ -187,7 +187,7 @@ def _measure(
 def _make_plate(
     contestant: Contestant, make: Make, seed: int, limit: float, seconds: float
 ) -> PointSet | None:
-    expected = seconds * (PLATE_POINTS / SPECTRUM_POINTS) ** contestant.growth
+    expected = seconds * PLATE_POINTS / SPECTRUM_POINTS
     return make(PLATE_POINTS, seed) if expected <= limit else None
 
 

@@ -33,8 +33,6 @@ class Contestant:
         What 16,384 points are expected to cost, so that hopeless cases are not begun.
     prepare : callable
         ``prepare(seed, progress)`` does what is done once, such as building tiles, and gives ``make``.
-    growth : float
-        The cost goes with the number of points to this power.
     standard : bool
         Whether it takes part where nothing else is said.
     repeats : bool
@@ -47,7 +45,6 @@ class Contestant:
     source: str
     seconds: float
     prepare: Callable[[int, Progress | None], Make]
-    growth: float = 1.0
     standard: bool = True
     repeats: bool = True
     builds: bool = False
@@ -59,9 +56,7 @@ def list_contestants() -> dict[str, Contestant]:
     return {c.name: c for c in everyone}
 
 
-def _sampler(
-    name: str, seconds: float, method: str, *, standard: bool = True, growth: float = 1.0, **settings: Any
-) -> Contestant:
+def _sampler(name: str, seconds: float, method: str, *, standard: bool = True, **settings: Any) -> Contestant:
     known = METHODS[method]
     box = Box(torus=known.tori)
 
@@ -69,7 +64,7 @@ def _sampler(
         return sample_points(method, count, seed=seed, box=box, **settings)
 
     return Contestant(
-        name, known.source, seconds, lambda seed, progress: make, growth, standard,
+        name, known.source, seconds, lambda seed, progress: make, standard,
         repeats=method not in ("regular", "hexagonal", "penrose"),
     )  # fmt: skip
 

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_real
 from tilewright.fields.nearest import NearestSearch
+from tilewright.fields.pair import check_pair
 from tilewright.fields.point_window import MOST_POINTS, PointWindow, View, Window
 from tilewright.fields.thinning import DensityFunction, draw_lowest, evaluate_density, share_out
 from tilewright.samplers.box import Box, as_points
@@ -42,16 +43,7 @@ class PointField:
     """
 
     def __init__(self, tiles: PointTiles, tiling: Tiling) -> None:
-        if not isinstance(tiles, PointTiles) or not isinstance(tiling, Tiling):
-            raise TilewrightTypeError(
-                f"a point field takes PointTiles and a Tiling, not {type(tiles).__name__} and "
-                f"{type(tiling).__name__}"
-            )
-        ours, theirs = tiles.tiles, tiling.tiles
-        if ours.shape is not theirs.shape or not np.array_equal(ours.slots, theirs.slots):
-            raise TilewrightValueError(
-                f"the points are made for {ours!r}, the tiling lays {theirs!r}; they must be the same set"
-            )
+        check_pair(tiles, PointTiles, tiling)
         self.tiles = tiles
         self.tiling = tiling
         counts = tiles.counts
@@ -109,7 +101,10 @@ class PointField:
         density: Density = 1.0,
         local: bool = False,
     ) -> PointWindow:
-        """Points of a window as `points` gives them, with cells, numbers in the tile, ranks and ids."""
+        """Points of a window with cells, numbers in the tile, ranks and ids.
+
+        Parameters, order and errors are those of `points`.
+        """
         view = self._view(Window.of(x, y, width, height))
         points, names = self._lay(view, density, local, None, named=True)
         ranks = self._ranks_of(view, names)
@@ -125,7 +120,7 @@ class PointField:
         *,
         density: float = 1.0,
     ) -> int:
-        """How many points `points` gives for the same window."""
+        """How many points `points` gives for the same window and share; errors are those of `points`."""
         rank = _check_share(density)
         return int(self._counts(self._view(Window.of(x, y, width, height)), rank).sum())
 
@@ -179,6 +174,12 @@ class PointField:
             North-west cell.
         side : int, optional
             Side of the square in tiles; the smallest that holds enough points by default.
+        local : bool
+            As in `points`.
+
+        Yields
+        ------
+        float64 array, shape (n, 2)
         """
         n = check_int("count", count, 1, 2**40)
         left, top = (check_int(a, v, -LARGEST_CELL, LARGEST_CELL) for a, v in (("x", x), ("y", y)))
@@ -214,6 +215,11 @@ class PointField:
 
         The pieces together hold the same points as `points`; they are bands of whole rows of cells, or
         parts of bands where these are long. With ``local``, points count from the corner of the window.
+        Parameters and errors are those of `points`, but that windows may be of any size.
+
+        Yields
+        ------
+        float64 array, shape (n, 2)
         """
         most = max(1, int(_BLOCK_POINTS / max(self.tiles.density, 1e-9)))
         for piece in Window.of(x, y, width, height).pieces(most):
@@ -231,6 +237,11 @@ class PointField:
         distances : float64 array, shape (n,)
         found : PointWindow
             One point for each position.
+
+        Raises
+        ------
+        TilewrightValueError
+            No point lies within 16 tiles of a position.
         """
         given = as_points(positions)
         search = NearestSearch(self.tiles, self.rows_at)
@@ -241,7 +252,13 @@ class PointField:
         return distances, PointWindow(points, cells, numbers, self.tiles.ranks[at], self._bits)
 
     def torus(self) -> PointSet:
-        """All points of a tiling of a torus, see ``period`` of `direct`."""
+        """All points of a tiling of a torus, see ``period`` of `direct`, in tile lengths.
+
+        Raises
+        ------
+        TilewrightValueError
+            The tiling does not go around.
+        """
         periods = self.tiling.domain.periods
         if any(p is None for p in periods):
             raise TilewrightValueError(

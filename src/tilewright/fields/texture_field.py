@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError, check_choice, check_int
+from tilewright.fields.pair import check_pair
 from tilewright.files.images import check_writable
 from tilewright.files.streams import stream_image
 from tilewright.files.whole import as_path
@@ -33,16 +34,7 @@ class TextureField:
     """
 
     def __init__(self, material: TextureTiles, tiling: Tiling) -> None:
-        if not isinstance(material, TextureTiles) or not isinstance(tiling, Tiling):
-            raise TilewrightTypeError(
-                f"a field takes TextureTiles and a Tiling, not {type(material).__name__} and "
-                f"{type(tiling).__name__}"
-            )
-        ours, theirs = material.tiles, tiling.tiles
-        if ours.shape is not theirs.shape or not np.array_equal(ours.slots, theirs.slots):
-            raise TilewrightValueError(
-                f"the material is made for {ours!r}, the tiling lays {theirs!r}; they must be the same set"
-            )
+        check_pair(material, TextureTiles, tiling)
         self.material = material
         self.tiling = tiling
 

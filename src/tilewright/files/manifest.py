@@ -5,6 +5,7 @@ The format is described in ``docs/tileset-folder.md``.
 
 import hashlib
 import os
+import re
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import TypeVar
 
@@ -130,9 +131,11 @@ class Writer:
         return name
 
     def finish(self, manifest: msgspec.Struct) -> None:
-        """Write the manifest."""
+        """Write the manifest, a row of numbers on a line."""
         text = msgspec.json.format(msgspec.json.encode(manifest), indent=1)
-        (self.folder / MANIFEST).write_bytes(text)
+        # A line break cannot lie in a name, so only lists are met.
+        rows = re.sub(rb"\[\n[\d,.\s-]+\]", lambda row: b"".join(row[0].split()).replace(b",", b", "), text)
+        (self.folder / MANIFEST).write_bytes(rows)
 
 
 class Reader:

@@ -56,8 +56,12 @@ def write_points(path: str | Path, points: PointSet | ArrayLike | Blocks, count:
         blocks, number = [table], len(table)
     elif not isinstance(points, Iterable):
         raise TilewrightTypeError(f"points must be a PointSet or points, not {type(points).__name__}")
-    elif target.suffix.lower() in (".npy", ".ply") or count is not None:
-        number = check_int("count", count, 0, 2**40, "the number of points must be known before the first")
+    elif count is not None:
+        number = check_int("count", count, 0, 2**40)
+    elif target.suffix.lower() in (".npy", ".ply"):
+        raise TilewrightTypeError(
+            f"count is needed: {target.suffix} says how many points come before the first"
+        )
     with whole_file(target) as unfinished:
         written = _Counted(blocks)  # type: ignore[arg-type]
         _WRITERS[target.suffix.lower()](unfinished, written, number or 0, box)

@@ -11,11 +11,12 @@ from tilewright.kernels.chance import draw_unit, draw_word
 from tilewright.kernels.compiled import kernel
 from tilewright.kernels.polygons import cut_cell, enlarge, find_centroid, find_reach, is_cut, start_cell
 
-CORNER, ROW_EDGE, COLUMN_EDGE, INTERIOR = 0, 1, 2, 3
-"""Kinds of parts. A row edge lies on a line y = integer, east of its lattice point."""
-
+# Kinds of parts: 0 corner region, 1 strip along a row edge (on a line y = integer, east of its lattice
+# point), 2 strip along a column edge, 3 interior.
 _SHRINK, _FAILURES = 0.99, 300
 _HALVINGS = 4
+_APART = 1000.0
+"""Width and height of a torus so large that nothing meets around it."""
 
 
 @kernel(inline=True)
@@ -46,22 +47,11 @@ def part_at(x, y, width, height, r, cusp):
 
 
 @kernel()
-def nearest_square(x, y, points, count, skip, width, height):
-    """Squared distance on the torus to the nearest of ``count`` points but number ``skip``."""
-    least = np.inf
+def is_crowded(x, y, points, count, skip, width, height, least):
+    """Whether one of ``count`` points but number ``skip`` is closer than the square root of ``least``."""
     for j in range(count):
         if j == skip:
             continue
-        dx, dy = abs(points[j, 0] - x) % width, abs(points[j, 1] - y) % height
-        dx, dy = min(dx, width - dx), min(dy, height - dy)
-        least = min(least, dx * dx + dy * dy)
-    return least
-
-
-@kernel()
-def is_crowded(x, y, points, count, width, height, least):
-    """Whether one of ``count`` points is closer than the square root of ``least`` on the torus."""
-    for j in range(count):
         dx, dy = abs(points[j, 0] - x), abs(points[j, 1] - y)
         if dx > 0.5 * width:
             dx = abs(dx - width * np.round(dx / width))
@@ -84,7 +74,7 @@ def throw_relaxed(key, points, fixed, count, width, height, r, cusp, open, dista
         x, y = draw_unit(key, thrown) * width, draw_unit(key, thrown + 1) * height
         thrown += 2
         if open[part_at(x, y, width, height, r, cusp)]:
-            if not is_crowded(x, y, points, placed, width, height, distance * distance):
+            if not is_crowded(x, y, points, placed, -1, width, height, distance * distance):
                 points[placed, 0], points[placed, 1] = x, y
                 placed += 1
                 failures = 0
@@ -93,8 +83,6 @@ def throw_relaxed(key, points, fixed, count, width, height, r, cusp, open, dista
             if failures == _FAILURES:
                 distance *= _SHRINK
                 failures = 0
-        elif thrown > 1000000000:
-            return
 
 
 @kernel()
@@ -311,19 +299,16 @@ def move_frame(moves, kinds, meets, meet_offsets, meet_counts, r, cusp, distance
                 nx, ny = x + moves[item, s, 0] * 0.5**step, y + moves[item, s, 1] * 0.5**step
                 if kind_at(nx, ny, r, cusp) != kinds[item] or crosses(x, y, nx, ny, kinds[item]):
                     continue
-                near = nearest_square(nx, ny, frame[item], frame_counts[item], s, 1000.0, 1000.0)
+                if is_crowded(nx, ny, frame[item], frame_counts[item], s, _APART, _APART, least):
+                    continue
+                free = True
                 for k in range(meet_counts[item]):
-                    if near < least:
-                        break
                     other = meets[item, k]
-                    near = min(
-                        near,
-                        nearest_square(
-                            nx - meet_offsets[item, k, 0], ny - meet_offsets[item, k, 1],
-                            frame[other], frame_counts[other], -1, 1000.0, 1000.0,
-                        ),
-                    )  # fmt: skip
-                if near >= least:
+                    ox, oy = nx - meet_offsets[item, k, 0], ny - meet_offsets[item, k, 1]
+                    if is_crowded(ox, oy, frame[other], frame_counts[other], -1, _APART, _APART, least):
+                        free = False
+                        break
+                if free:
                     frame[item, s, 0], frame[item, s, 1] = nx, ny
                     break
 

@@ -32,7 +32,7 @@ class Regions:
     shape : str
         ``"octagon"``, the corner region of the papers: half-width r (1 + sqrt 2), side 2r. ``"cusp"``, a
         smaller one that gives the same distances: |y| <= r and |x| <= sqrt 2 r + |y|, and the same with
-        x and y exchanged.
+        x and y exchanged. Their areas are (8 + 8 sqrt 2) r^2 and 8 sqrt 2 r^2.
 
     Notes
     -----
@@ -48,17 +48,8 @@ class Regions:
 
     @property
     def is_cusp(self) -> bool:
+        """Whether corner regions are cusps, as kernels take it."""
         return self.shape == "cusp"
-
-    @property
-    def corner_area(self) -> float:
-        """Area of a corner region: 8 sqrt 2 r^2 or (8 + 8 sqrt 2) r^2."""
-        return (8 * sqrt(2) if self.is_cusp else 8 + 8 * sqrt(2)) * self.radius**2
-
-    @property
-    def frame_area(self) -> float:
-        """Area of the frame of one tile: one corner region and two strips."""
-        return 1 - (1 - 2 * self.radius) ** 2
 
 
 LARGEST_RADIUS = 1 / (4 + 2 * sqrt(2))
@@ -98,11 +89,10 @@ class Anatomy:
         found: list[set[tuple[int, int, int]]] = [set() for _ in self.kinds]
         for a in range(8):
             for b in range(8):
-                gap = OFFSETS[b] - OFFSETS[a]
-                pairs = np.unique(self.items[:, [a, b]], axis=0)
                 if (a < 4) == (b < 4) or not _touch(a, b):
                     continue
-                for one, other in pairs.tolist():
+                gap = OFFSETS[b] - OFFSETS[a]
+                for one, other in np.unique(self.items[:, [a, b]], axis=0).tolist():
                     found[one].add((other, int(gap[0]), int(gap[1])))
         most = max(len(f) for f in found)
         numbers = np.zeros((len(found), most), np.int32)

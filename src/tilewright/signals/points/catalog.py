@@ -9,7 +9,7 @@ from tilewright.errors import Progress, TilewrightTypeError, check_choice
 from tilewright.samplers.chance import Seed
 from tilewright.signals.points.point_tiles import PointTiles
 from tilewright.signals.points.spikes import find_spikes
-from tilewright.tiles import corner_tiles, crossed_wang_tiles
+from tilewright.tiles import TileSet, corner_tiles, crossed_wang_tiles
 
 
 @dataclass(frozen=True)
@@ -22,8 +22,8 @@ class TileMethod:
         "module.function" below this package.
     settings : dict
         What the function is called with beside points, rho, seed and progress.
-    colors : callable or None
-        The tile set for a number of colors, where that can be chosen.
+    tiles : callable or None
+        The tile set, from a number of colors; None where the function has its own.
     rho : float or None
         Usual relative radius; None where it cannot be asked for.
     source : str
@@ -31,12 +31,10 @@ class TileMethod:
 
     home: str
     settings: dict[str, Any]
-    colors: Callable[[int], Any] | None
+    tiles: Callable[[int], TileSet] | None
     rho: float | None
     source: str
 
-
-_TEMPLATE = {"tiles": corner_tiles, "variants": 128}
 
 TILE_METHODS: dict[str, TileMethod] = {
     "corner": TileMethod(
@@ -47,11 +45,12 @@ TILE_METHODS: dict[str, TileMethod] = {
         "Lagae & Dutré 2006, section 7; Lagae 2007, section 4.5",
     ),
     "edge": TileMethod(
-        "synthesis.poisson_tiles", {"method": "relaxed", "tiles": crossed_wang_tiles}, None, 0.75,
+        "synthesis.poisson_tiles", {"method": "relaxed"}, lambda colors: crossed_wang_tiles(2), 0.75,
         "Lagae & Dutré 2005a; Lagae 2007, section 4.3",
     ),
     "template": TileMethod(
-        "synthesis.poisson_tiles", {"method": "relaxed", **_TEMPLATE}, None, 0.75,
+        "synthesis.poisson_tiles", {"method": "relaxed", "variants": 128},
+        lambda colors: corner_tiles(1), 0.75,
         "Lagae & Dutré 2005b; Lagae 2007, section 4.4",
     ),
     "shade": TileMethod("shade.shade_tiles", {}, None, 0.70, "Shade et al. 2000; Lagae 2007, section 6.6"),
@@ -96,10 +95,8 @@ def make_point_tiles(
     """
     known = TILE_METHODS[check_choice("method", method, tuple(TILE_METHODS))]
     given: dict[str, Any] = {"seed": seed, "progress": progress, **known.settings}
-    if known.colors is not None:
-        given["tiles"] = known.colors(colors)
-    elif callable(given.get("tiles")):
-        given["tiles"] = given["tiles"](2 if method == "edge" else 1)
+    if known.tiles is not None:
+        given["tiles"] = known.tiles(colors)
     if points is not None:
         given["points"] = points
     if rho is not None and known.rho is None:

@@ -4,7 +4,6 @@ Corner tiles: corners first, then each edge between its two corners (Lagae & Dut
 Crossed Wang tiles: edges first, then each corner between its four edges (Lagae 2007, section 4.3).
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,8 +19,6 @@ _ATTEMPTS, _SWEEPS = 20, 400
 _ROUNDS = 8
 _POOL, _CANDIDATES = 192, 10
 _RASTER = 512
-
-Choose = Callable[["Batch"], NDArray[np.intp]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,10 +149,10 @@ class Chooser:
     def choose(self, batch: Batch) -> NDArray[np.intp]:
         """The candidate for each item of a batch."""
         weight = self.plan.anatomy.weights[batch.items]
-        spectra = self._spectra(batch)
-        allowed = self._allowed(batch)
+        spectra, even = self._spectra(batch), self._even(batch.kind)
+        allowed = self._allowed(batch, float(even[len(self.kx) // 2, 0].real))
         chosen = np.array([a[0] for a in allowed])
-        total = np.tensordot(weight, spectra[chosen], 1) + self.excess - self._even(batch.kind)
+        total = np.tensordot(weight, spectra[chosen], 1) + self.excess - even
         for _ in range(4):
             for n, candidates in enumerate(allowed):
                 total -= weight[n] * spectra[chosen[n]]
@@ -186,15 +183,14 @@ class Chooser:
         shift = np.exp(-1j * np.pi * (self.kx[:, np.newaxis] + self.ky) / _RASTER)
         return spectrum[self.kx[:, np.newaxis], self.ky] * shift
 
-    def _allowed(self, batch: Batch) -> list[NDArray[np.intp]]:
-        """For each item the candidates it may take, those whose halves are fair."""
+    def _allowed(self, batch: Batch, fair: float) -> list[NDArray[np.intp]]:
+        """For each item the candidates it may take: those whose halves hold about half of ``fair`` points."""
         penalty = np.zeros(len(batch.points))
         there = np.arange(batch.points.shape[1]) < batch.counts[:, np.newaxis]
         for axis in {CORNER_PART: (0, 1), ROW_EDGE: (1,), COLUMN_EDGE: (0,)}[batch.kind]:
             low = ((batch.points[..., axis] < 0) & there).sum(axis=1)
-            fair = self._even(batch.kind)[len(self.kx) // 2, 0].real / 2
             for half in (low, batch.counts - low):
-                penalty += np.maximum(np.abs(half - fair) - 1.0, 0) ** 2
+                penalty += np.maximum(np.abs(half - fair / 2) - 1.0, 0) ** 2
         allowed = []
         for n in range(len(batch.items)):
             mine = np.flatnonzero((batch.owners == n) | (batch.owners < 0))

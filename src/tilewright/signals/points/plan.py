@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
 from tilewright.samplers.box import Box
+from tilewright.samplers.chance import derive_key
 from tilewright.samplers.radius import max_radius
 from tilewright.signals.points.anatomy import (
     INTERIOR,
@@ -149,7 +150,6 @@ class Parts:
 def fill_interiors(plan: Plan, parts: Parts, which: NDArray[np.intp], round: int, attempts: int) -> int:
     """Fill some interiors anew so that their tiles hold the planned number of points; how many failed."""
     from tilewright.kernels.growth import grow_interiors
-    from tilewright.samplers.chance import derive_key
 
     keys = np.array([derive_key(plan.key, INTERIOR, round, int(m)) for m in which], np.uint64)
     inner = np.zeros((len(which), *parts.inner.shape[1:]))
