@@ -30,3 +30,20 @@ def photograph():
         return pixels if pixels.ndim == 3 else pixels[..., np.newaxis]
 
     return load
+
+
+@pytest.fixture(scope="session")
+def darts():
+    """Ten sets of 4,096 points by dart throwing."""
+    from tilewright.samplers import dart_throwing
+
+    return [dart_throwing(4096, 0.7, seed=seed) for seed in range(10)]
+
+
+@pytest.fixture(scope="session")
+def dart_report(darts):
+    """What is measured of them."""
+    from tilewright.analysis import analyze_points
+    from tilewright.samplers import dart_throwing
+
+    return analyze_points(darts, plate=dart_throwing(2**18, 0.7, seed=10), name="darts")
