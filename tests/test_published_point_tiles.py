@@ -8,12 +8,12 @@ import pytest
 from scipy.spatial import Delaunay, Voronoi
 
 from laying import SIDE, fits_all_around, lay, nearest, random_cells
+from tilewright.analysis.border import border_density
 from tilewright.errors import Cancelled, TilewrightTypeError, TilewrightValueError
 from tilewright.kernels.chance import draw_unit
 from tilewright.kernels.wang_points import average_moves
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import max_radius
-from tilewright.signals.points.border import border_density
 from tilewright.signals.points.hiller import Surroundings, hiller_tiles
 from tilewright.signals.points.kopf import kopf_tiles
 from tilewright.signals.points.neighborhood import NORTH, OFFSETS, Neighbors

@@ -6,6 +6,7 @@ from tilewright.lazy import load_lazily
 
 if TYPE_CHECKING:
     from tilewright.analysis.anything import analyze
+    from tilewright.analysis.border import BorderDensity, border_density
     from tilewright.analysis.comparison import Comparison, compare
     from tilewright.analysis.contestants import list_contestants
     from tilewright.analysis.laid_points import analyze_point_tiles, lay_square
@@ -39,6 +40,7 @@ if TYPE_CHECKING:
 _HOME = {
     "MEANING": "report",
     "POINT_MEANING": "point_report",
+    "BorderDensity": "border",
     "Comparison": "comparison",
     "LatticeSpikes": "spectrum",
     "PointReport": "point_report",
@@ -52,6 +54,7 @@ _HOME = {
     "analyze_points": "point_report",
     "analyze_texture": "report",
     "bond_order": "spacing",
+    "border_density": "border",
     "compare": "comparison",
     "comparison_sheet": "point_report",
     "coverage_radius": "spacing",
@@ -73,6 +76,7 @@ _HOME = {
 __all__ = [
     "MEANING",
     "POINT_MEANING",
+    "BorderDensity",
     "Comparison",
     "LatticeSpikes",
     "PointReport",
@@ -86,6 +90,7 @@ __all__ = [
     "analyze_points",
     "analyze_texture",
     "bond_order",
+    "border_density",
     "compare",
     "comparison_sheet",
     "coverage_radius",

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 from tilewright.lazy import load_lazily
 
 if TYPE_CHECKING:
-    from tilewright.signals.points.border import BorderDensity, border_density
     from tilewright.signals.points.catalog import TILE_METHODS, make_point_tiles
     from tilewright.signals.points.point_tiles import PointTiles
     from tilewright.signals.points.promise import Closeness, find_closeness
@@ -17,11 +16,9 @@ if TYPE_CHECKING:
 _HOME = {
     "METHODS": "synthesis",
     "TILE_METHODS": "catalog",
-    "BorderDensity": "border",
     "Closeness": "promise",
     "PointTiles": "point_tiles",
     "Spikes": "spikes",
-    "border_density": "border",
     "find_closeness": "promise",
     "find_spikes": "spikes",
     "make_point_tiles": "catalog",
@@ -32,11 +29,9 @@ _HOME = {
 __all__ = [
     "METHODS",
     "TILE_METHODS",
-    "BorderDensity",
     "Closeness",
     "PointTiles",
     "Spikes",
-    "border_density",
     "find_closeness",
     "find_spikes",
     "make_point_tiles",
