@@ -119,7 +119,9 @@ def test_all_maps_of_a_stack_are_cut_alike(photograph):
     material = synthesize(Exemplar([maps]), corner_tiles(2), tile_size=64, seed=2)
     _, y, x = np.moveaxis(material.origins, -1, 0)
     for name in names:
-        assert np.array_equal(material.maps[name], maps[name][y, x])
+        same = (material.maps[name] == maps[name][y, x]).all(axis=3)
+        assert same.all() == (name in ("albedo", "roughness"))
+        assert same.mean() > (0.5 if name == "height" else 0.85)  # closed beside cuts, see test_map_stacks.py
 
 
 def test_marked_corners_come_from_the_second_source(gravel):

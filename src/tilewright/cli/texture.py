@@ -13,9 +13,16 @@ from tilewright.errors import TilewrightError, TilewrightTypeError, TilewrightVa
 def command(
     context: typer.Context,
     photo: Annotated[
-        Path | None, typer.Argument(help="The photograph; or give --map, or --from.", show_default=False)
+        Path | None,
+        typer.Argument(
+            help="The photograph, or a folder of a material's maps; or give --map, or --from.",
+            show_default=False,
+        ),
     ] = None,
-    output: Annotated[Path, typer.Option("-o", "--output", help="Folder for the tile set.")] = Path("tiles"),
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Folder for the tile set: tiles; with --like, that one."),
+    ] = None,
     tiles: Annotated[
         str, typer.Option(help="corner, wang, cohen-8, cohen-12, cohen-18 or corner-coded.")
     ] = "corner",
@@ -27,11 +34,24 @@ def command(
     weight: Annotated[
         list[str] | None, typer.Option(help="NAME=NUMBER: what a map counts in the cut.")
     ] = None,
+    kind: Annotated[
+        list[str] | None,
+        typer.Option(help="NAME=color|data|roughness|height|normal-gl|normal-dx: what a map holds."),
+    ] = None,
+    normal: Annotated[
+        str | None, typer.Option(help="gl or dx: green of normal maps points up or down.")
+    ] = None,
+    flatten: Annotated[
+        bool, typer.Option("--flatten", help="Take out light that varies slowly, which shows repetition.")
+    ] = False,
     mask: Annotated[Path | None, typer.Option(help="Picture: white may be copied.")] = None,
     second: Annotated[Path | None, typer.Option(help="Second photograph, for marked corners.")] = None,
     method: Annotated[str | None, typer.Option(help="How tiles are made; see the documentation.")] = None,
     from_: Annotated[
         Path | None, typer.Option("--from", help="Make this set again, with --reject or --pick.")
+    ] = None,
+    like: Annotated[
+        Path | None, typer.Option(help="Cut the maps given by --map as this set was cut, and add them to it.")
     ] = None,
     reject: Annotated[list[str] | None, typer.Option(help="Name of a patch: not this one.")] = None,
     pick: Annotated[list[str] | None, typer.Option(help="NAME=SOURCE,Y,X: take a patch from there.")] = None,
@@ -43,38 +63,42 @@ def command(
 
     Example: tilewright texture moss.jpg -o moss --colors 3 --seed 1
 
+    Example: tilewright texture --map albedo=a.png --map normal=n.png --map roughness=r.exr -o moss
+
+    Example: tilewright texture --like moss --map emissive=e.png
+
     Calls tilewright.texture_tiles(photo, tiles, ...) and tilewright.save(material, folder); with --from
-    tilewright.resynthesize(material, reject=..., pick=...).
+    tilewright.resynthesize(material, reject=..., pick=...); with --like tilewright.add_maps(material, maps).
     """
-    from tilewright.files import load_texture, save, texture_tiles
+    from tilewright.files import add_maps, load_texture, save, texture_tiles
     from tilewright.files.tileset_folder import check_savable
     from tilewright.signals.textures import resynthesize
 
     started = time.perf_counter()
+    output = output or like or Path("tiles")
     check_savable(output)
     picked = {name: _spot(name, value) for name, value in parse_pairs("--pick", pick or []).items()}
+    meaning: dict[str, Any] = {
+        "kinds": parse_pairs("--kind", kind or []),
+        "normal": normal,
+        "flatten": flatten,
+    }
     with progress_bar() as progress:
         if from_ is not None:
-            if kept := _given(context) - {"output", "from_", "reject", "pick", "threads", "json"}:
-                raise TilewrightValueError(
-                    f"--from makes the old set again, with its photograph and settings; leave out "
-                    f"{', '.join(sorted(kept))}"
-                )
+            _refuse_others(context, "--from makes the old set again, with its photograph and settings", _FROM)
             material = resynthesize(
                 load_texture(from_), reject=reject or [], pick=picked, threads=threads, progress=progress
             )
+        elif like is not None:
+            _refuse_others(context, "--like cuts as the old set was cut", _LIKE)
+            if not map:
+                raise TilewrightValueError("--like cuts further maps; give them with --map NAME=FILE")
+            material = add_maps(load_texture(like), parse_pairs("--map", map), **meaning)
         else:
             if reject:
                 raise TilewrightValueError("--reject names patches of a set that exists; give it with --from")
-            maps: Any = parse_pairs("--map", map or []) or photo
-            if maps is None:
-                raise TilewrightValueError("PHOTO is missing; give a photograph, or --map NAME=FILE")
-            if photo is not None and map:
-                if "albedo" in maps:
-                    raise TilewrightValueError("albedo is given twice, as PHOTO and by --map; leave one out")
-                maps = {"albedo": str(photo)} | maps
             material = texture_tiles(
-                maps,
+                _maps(photo, map or []),
                 _tile_set(tiles, colors, second is not None),
                 second=second,
                 mask=mask,
@@ -85,6 +109,7 @@ def command(
                 pick=picked,
                 threads=threads,
                 progress=progress,
+                **meaning,
             )
     save(material, output)
     seconds = time.perf_counter() - started
@@ -93,6 +118,7 @@ def command(
         "tiles": len(material.tiles),
         "tile_size": material.tile_size,
         "maps": list(material.maps),
+        "kinds": material.kinds,
         "method": material.recipe["method"],
         "seed": material.recipe["seed"],
         "seconds": round(seconds, 3),
@@ -105,10 +131,34 @@ def command(
     )
 
 
-def _given(context: typer.Context) -> set[str]:
-    """Names of the parameters that came from the command line."""
+_FROM = {"from_", "output", "reject", "pick", "threads", "json"}
+_LIKE = {"like", "output", "map", "kind", "normal", "flatten", "json"}
+
+
+def _refuse_others(context: typer.Context, reason: str, allowed: set[str]) -> None:
+    """Refuse options that would not be heard."""
     sources = ((name, context.get_parameter_source(name)) for name in context.params)
-    return {name for name, source in sources if source is not None and source.name == "COMMANDLINE"}
+    given = {name for name, source in sources if source is not None and source.name == "COMMANDLINE"}
+    if others := given - allowed:
+        raise TilewrightValueError(f"{reason}; leave out {', '.join(sorted(others))}")
+
+
+def _maps(photo: Path | None, given: list[str]) -> Any:
+    """The photograph, its maps by name, or both."""
+    maps = parse_pairs("--map", given)
+    if photo is None and not maps:
+        raise TilewrightValueError(
+            "PHOTO is missing; give a photograph, a folder of maps, or --map NAME=FILE"
+        )
+    if photo is None or not maps:
+        return maps or photo
+    if photo.is_dir():
+        from tilewright.files import find_maps
+
+        return {name: str(file) for name, file in find_maps(photo).items()} | maps
+    if "albedo" in maps:
+        raise TilewrightValueError("albedo is given twice, as PHOTO and by --map; leave one out")
+    return {"albedo": str(photo)} | maps
 
 
 def _tile_set(kind: str, colors: int | None, two_sources: bool) -> Any:

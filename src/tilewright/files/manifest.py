@@ -17,7 +17,7 @@ from tilewright.files.whole import MANIFEST
 from tilewright.tiles import TileSet, tile_set
 from tilewright.tiles.shape import Shape
 
-SCHEMA = 1
+SCHEMA = 2
 _DROPPED_BY_SYSTEMS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 

@@ -1,16 +1,19 @@
 """From photographs to texture tiles: opens what a person brings and synthesizes."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice
 from tilewright.files.images import read_image
+from tilewright.files.map_stack import find_maps, tell_green
 from tilewright.signals.textures import Exemplar, TextureTiles
-from tilewright.signals.textures.exemplar import check_map
+from tilewright.signals.textures.exemplar import check_kinds, check_map
+from tilewright.signals.textures.kinds import is_normal
 from tilewright.tiles import TileSet, corner_tiles
 
 Picture = str | Path | NDArray[Any]
@@ -24,25 +27,141 @@ def open_exemplar(
     mask: Picture | None = None,
     second_mask: Picture | None = None,
     weights: dict[str, float] | None = None,
+    kinds: dict[str, str] | None = None,
+    normal: str | None = None,
+    flatten: bool = False,
 ) -> Exemplar:
     """An exemplar from files or arrays.
 
     Parameters
     ----------
     photo : path, array of shape (h, w) or (h, w, channels), or dict of map name to either
-        A single picture becomes the map ``"albedo"``.
+        A single picture becomes the map ``"albedo"``; a folder gives the maps its file names tell, see
+        `find_maps`. Sizes may differ by powers of two: smaller maps are enlarged.
     second : the same, optional
         The source of the marked corners of an inhomogeneous set.
     mask, second_mask : path or array, optional
         Pixels that may be copied: those at least half as bright as white.
     weights : dict of map name to float, optional
-        How much a map counts when patches are matched and cut.
+        How much a map counts when patches are matched and cut; 1 for color, 0.1 for others by default.
+    kinds : dict of map name to kind, optional
+        What maps hold: ``"color"``, ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"``,
+        ``"normal-dx"``; told by their names by default.
+    normal : ``"gl"`` or ``"dx"``, optional
+        Whether green points up or down in maps of normals; found from the height map, or from the slopes of
+        the normals themselves, by default, and said in a warning.
+    flatten : bool
+        Take out of color maps the light that varies slowly, which makes repetition visible.
+
+    Raises
+    ------
+    TilewrightFileError
+        A file is not a whole image, or a folder has no maps that can be told by name.
+    TilewrightValueError, TilewrightTypeError
+        Maps that cannot belong together: sizes, NaN, a map of normals that holds none.
     """
     if second is None and second_mask is not None:
         raise TilewrightValueError("second_mask is for a second photograph; give second too")
     photos = [_open_maps(photo, "photo")] + ([] if second is None else [_open_maps(second, "second")])
+    prepared, settled = _prepare(photos, _known_kinds(photo, photos[0], kinds, normal), flatten)
     masks = [_open_mask(mask)] + ([] if second is None else [_open_mask(second_mask)])
-    return Exemplar(photos, masks, weights)
+    return Exemplar(
+        prepared, [_fit_mask(m, p) for m, p in zip(masks, prepared, strict=True)], weights, settled
+    )
+
+
+def add_maps(
+    material: TextureTiles, photo: Photo, *, second: Photo | None = None, **options: Any
+) -> TextureTiles:
+    """Cut further maps of the same photograph as a material was cut.
+
+    Parameters
+    ----------
+    material : TextureTiles
+        Where every pixel came from is read from ``material.origins``; nothing is decided anew.
+    photo : dict of map name to path or array
+        New maps; one of a name that is there replaces it. Sizes may differ from the photograph's by powers
+        of two.
+    second : the same, where the material has two sources
+    **options
+        ``kinds``, ``normal`` and ``flatten``, as in `open_exemplar`.
+
+    Returns
+    -------
+    TextureTiles
+        The material with the maps.
+    """
+    from tilewright.signals.textures.seams import copy_maps
+
+    if not isinstance(material, TextureTiles):
+        raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+    if (second is not None) != (len(material.sources) == 2):
+        raise TilewrightValueError(
+            f"the material is made from {len(material.sources)} photographs; give maps for each of them"
+        )
+    photos = [_open_maps(photo, "photo")] + ([] if second is None else [_open_maps(second, "second")])
+    sizes = [next(iter(s.values())).shape[:2] for s in material.sources]
+    normal, kinds = options.pop("normal", None), options.pop("kinds", None)
+    known = _known_kinds(photo, photos[0], kinds, normal)
+    prepared, settled = _prepare(photos, known, options.pop("flatten", False), sizes)
+    if options:
+        raise TilewrightTypeError(f"add_maps() has no option {min(options)!r}")
+    new = Exemplar(prepared, None, None, settled)
+    maps = copy_maps(new.sources, material.origins, new.kinds, material.tiles)
+    return replace(
+        material,
+        maps=material.maps | maps,
+        sources=tuple(old | added for old, added in zip(material.sources, new.sources, strict=True)),
+        kinds=material.kinds | new.kinds,
+    )
+
+
+def _known_kinds(
+    photo: Photo, maps: Mapping[str, NDArray[Any]], kinds: Mapping[str, str] | None, normal: str | None
+) -> dict[str, str]:
+    """Kinds that need no guess: told by a file's name, by ``normal``, by ``kinds``."""
+    guessed = check_kinds(kinds, maps)
+    normals = [name for name, kind in guessed.items() if is_normal(kind)]
+    if normal is not None:
+        check_choice("normal", normal, ("gl", "dx"))
+        if not normals:
+            raise TilewrightValueError(
+                f"normal is {normal!r}, and none of the maps holds normals: {', '.join(maps)}"
+            )
+        return dict(kinds or {}) | dict.fromkeys(normals, f"normal-{normal}")
+    files = {n: Path(p) for n, p in _list_maps(photo, "photo").items() if isinstance(p, (str, Path))}
+    told = {name: green for name in normals if name in files and (green := tell_green(files[name]))}
+    return told | dict(kinds or {})
+
+
+def _prepare(
+    photos: list[dict[str, NDArray[Any]]],
+    known: dict[str, str],
+    flatten: bool,
+    sizes: list[tuple[int, int]] | None = None,
+) -> tuple[list[dict[str, NDArray[Any]]], dict[str, str]]:
+    """The maps of every source in one size, normals whole, light even; and what each map holds."""
+    from tilewright.signals.textures.preparation import (
+        flatten_light,
+        match_sizes,
+        mend_normals,
+        settle_normals,
+    )
+
+    kinds = check_kinds(known, photos[0])
+    prepared = []
+    for number, maps in enumerate(photos):
+        maps = match_sizes(maps, dict.fromkeys(maps, "data") | kinds, sizes[number] if sizes else None)
+        for name, pixels in maps.items():
+            if is_normal(kinds.get(name, "")):
+                maps[name] = mend_normals(pixels, kinds[name], name)
+            elif flatten and kinds.get(name) == "color":
+                maps[name] = flatten_light(pixels)
+        if number == 0:
+            told = {name for name in maps if name in known or name.endswith(("-dx", "-gl"))}
+            kinds = settle_normals(maps, kinds, told)
+        prepared.append(maps)
+    return prepared, kinds
 
 
 def texture_tiles(
@@ -53,6 +172,9 @@ def texture_tiles(
     mask: Picture | None = None,
     second_mask: Picture | None = None,
     weights: dict[str, float] | None = None,
+    kinds: dict[str, str] | None = None,
+    normal: str | None = None,
+    flatten: bool = False,
     tile_size: int | str = 128,
     seed: int = 0,
     **options: Any,
@@ -79,18 +201,35 @@ def texture_tiles(
     """
     from tilewright.signals.textures import synthesize
 
-    exemplar = open_exemplar(photo, second=second, mask=mask, second_mask=second_mask, weights=weights)
+    exemplar = open_exemplar(
+        photo,
+        second=second,
+        mask=mask,
+        second_mask=second_mask,
+        weights=weights,
+        kinds=kinds,
+        normal=normal,
+        flatten=flatten,
+    )
     if tiles is None:
         tiles = corner_tiles(2 if second is None else 4)
     return synthesize(exemplar, tiles, tile_size=tile_size, seed=seed, **options)
 
 
-def _open_maps(photo: Photo, what: str) -> dict[str, NDArray[Any]]:
+def _list_maps(photo: Photo, what: str) -> Mapping[str, Picture]:
     if isinstance(photo, Mapping):
         if not photo:
             raise TilewrightValueError(f"{what} is an empty dict; at least one map is needed")
-        return {name: _open_map(picture, f"map {name!r}") for name, picture in photo.items()}
-    return {"albedo": _open_map(photo, what)}
+        return photo
+    if isinstance(photo, (str, Path)) and Path(photo).is_dir():
+        return find_maps(photo)
+    return {"albedo": photo}
+
+
+def _open_maps(photo: Photo, what: str) -> dict[str, NDArray[Any]]:
+    maps = _list_maps(photo, what)
+    alone = not isinstance(photo, Mapping)
+    return {n: _open_map(picture, what if alone else f"map {n!r}") for n, picture in maps.items()}
 
 
 def _open_map(picture: Picture, what: str) -> NDArray[Any]:
@@ -104,6 +243,14 @@ def _open(picture: Picture, what: str) -> NDArray[Any]:
     if isinstance(picture, np.ndarray):
         return picture
     raise TilewrightTypeError(f"{what} must be a path or an array, not {type(picture).__name__}")
+
+
+def _fit_mask(mask: NDArray[np.bool_] | None, maps: Mapping[str, NDArray[Any]]) -> NDArray[np.bool_] | None:
+    """A mask at the size of the maps, where it was made for smaller ones."""
+    height, width = next(iter(maps.values())).shape[:2]
+    if mask is None or mask.ndim != 2 or height % mask.shape[0] or width % mask.shape[1]:
+        return mask
+    return mask.repeat(height // mask.shape[0], axis=0).repeat(width // mask.shape[1], axis=1)
 
 
 def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:

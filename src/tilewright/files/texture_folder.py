@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright import __version__
-from tilewright.errors import TilewrightFileError
+from tilewright.errors import TilewrightFileError, check_choice
 from tilewright.files.images import lossless_suffix, read_image, write_image
 from tilewright.files.manifest import SCHEMA, Reader, Tiles, Writer
 from tilewright.signals.textures import TextureTiles
+from tilewright.signals.textures.kinds import KINDS
 
 
 class TextureManifest(msgspec.Struct, forbid_unknown_fields=True):
@@ -28,6 +29,8 @@ class TextureManifest(msgspec.Struct, forbid_unknown_fields=True):
     masks: list[str]
     recipe: dict[str, Any]
     checksums: dict[str, str]
+    kinds: dict[str, str] = {}
+    """What each map holds; not there in schema 1."""
 
 
 def write_texture(folder: Path, material: TextureTiles) -> None:
@@ -73,6 +76,7 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
             masks,
             material.recipe,
             writer.checksums,
+            material.kinds,
         )
     )
 
@@ -92,7 +96,8 @@ def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
     masks = tuple(image(f)[..., 0] > 127 for f in manifest.masks)
     _check_sources(sources, masks, maps)
     _check_origins(origins, sources)
-    return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks)
+    kinds = {n: check_choice(f"kind of map {n!r}", k, KINDS) for n, k in manifest.kinds.items() if n in maps}
+    return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks, kinds)
 
 
 def _stack(name: str, pictures: list[NDArray[Any]], count: int, size: int) -> NDArray[Any]:

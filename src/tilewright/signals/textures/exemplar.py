@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice, check_real
+from tilewright.signals.textures.kinds import KINDS, guess_kind, is_normal
 
 Maps = dict[str, NDArray[Any]]
 
@@ -16,6 +17,8 @@ LARGEST_SIDE = 32768
 LARGEST_VALUE = 1e12
 """Of float maps: what still has a square and a variance in float32."""
 LONGEST_NAME = 100
+WEIGHTS = {kind: 1.0 if kind == "color" else 0.1 for kind in KINDS}
+"""What a map of each kind counts: cuts are seen in color first, and are closed in normals and heights."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +33,9 @@ class Exemplar:
     masks : sequence of bool array, shape (h, w), or None, optional
         For each source, the pixels that may be copied; everything by default.
     weights : dict of str to float, optional
-        How much each map counts when patches are matched and cut; 1 by default.
+        How much each map counts when patches are matched and cut; by default as its kind does, see `WEIGHTS`.
+    kinds : dict of str to str, optional
+        What each map holds, one of `KINDS`; guessed from its name by default.
 
     Raises
     ------
@@ -41,12 +46,14 @@ class Exemplar:
     sources: tuple[Maps, ...]
     masks: tuple[NDArray[np.bool_], ...]
     weights: dict[str, float]
+    kinds: dict[str, str]
 
     def __init__(
         self,
         sources: Sequence[Maps],
         masks: Sequence[NDArray[np.bool_] | None] | None = None,
         weights: dict[str, float] | None = None,
+        kinds: dict[str, str] | None = None,
     ) -> None:
         if not isinstance(sources, Sequence) or not all(isinstance(s, Mapping) for s in sources):
             raise TilewrightTypeError("sources must be a sequence of dicts of map name to array")
@@ -60,15 +67,37 @@ class Exemplar:
         object.__setattr__(self, "sources", checked)
         usable = tuple(_check_mask(n, m, s) for n, (m, s) in enumerate(zip(given, checked, strict=True)))
         object.__setattr__(self, "masks", usable)
-        object.__setattr__(self, "weights", _check_weights(weights, tuple(checked[0])))
+        object.__setattr__(self, "kinds", check_kinds(kinds, checked[0]))
+        object.__setattr__(self, "weights", _check_weights(weights, self.kinds))
 
 
-def _check_weights(given: Any, maps: tuple[str, ...]) -> dict[str, float]:
+def check_kinds(given: Any, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
+    """What each map holds: as given, else guessed."""
+    if given is not None and not isinstance(given, Mapping):
+        raise TilewrightTypeError(f"kinds must be a dict of map name to kind, not {given!r}")
+    for name in maps:
+        if not isinstance(name, str) or not 1 <= len(name) <= LONGEST_NAME:
+            raise TilewrightValueError(
+                f"a map is named {str(name)[:80]!r}; a name is a text of 1 to {LONGEST_NAME} characters"
+            )
+    kinds = {name: guess_kind(name) for name in maps}
+    for name, kind in (given or {}).items():
+        check_choice("a map of kinds", name, tuple(maps))
+        kinds[name] = check_choice(f"kind of map {name!r}", kind, KINDS)
+    for name, kind in kinds.items():
+        if is_normal(kind) and maps[name].shape[-1] == 1:
+            raise TilewrightValueError(
+                f"map {name!r} has one channel and holds no normals; name its kind, one of {', '.join(KINDS)}"
+            )
+    return kinds
+
+
+def _check_weights(given: Any, kinds: dict[str, str]) -> dict[str, float]:
     if given is not None and not isinstance(given, Mapping):
         raise TilewrightTypeError(f"weights must be a dict of map name to number, not {given!r}")
-    weights = dict.fromkeys(maps, 1.0)
+    weights = {name: WEIGHTS[kind] for name, kind in kinds.items()}
     for name, weight in (given or {}).items():
-        check_choice("a map of weights", name, maps)
+        check_choice("a map of weights", name, tuple(kinds))
         weights[name] = check_real(f"weight of map {name!r}", weight, 0, 1e6)
     if not any(weights.values()):
         raise TilewrightValueError(f"weights is {weights}; at least one map must count")
@@ -79,10 +108,6 @@ def _check_source(number: int, source: Maps) -> Maps:
     checked = {}
     sizes = {}
     for name, given in source.items():
-        if not isinstance(name, str) or not 1 <= len(name) <= LONGEST_NAME:
-            raise TilewrightValueError(
-                f"a map is named {str(name)[:80]!r}; a name is a text of 1 to {LONGEST_NAME} characters"
-            )
         checked[name] = check_map(f"map {name!r} of source {number}", given)
         sizes[name] = checked[name].shape[:2]
     if len(set(sizes.values())) > 1:

@@ -9,6 +9,15 @@ from numpy.typing import NDArray
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN
 
 
+def shared_border(size: int) -> int:
+    """Pixels along the border of a tile of ``size`` pixels that all tiles with that border have alike.
+
+    A power of two, so that whole texels of the first mip levels fill it: up to a 32nd of a tile, at least 2.
+    A wider border would be seen to recur, and coarser levels hardly need it, see ``mipmaps.py``.
+    """
+    return max(2, 1 << max(1, size // 32).bit_length() - 1)
+
+
 @dataclass(frozen=True)
 class Frame:
     """A square canvas of ``size`` pixels; u runs east and v south from its middle.

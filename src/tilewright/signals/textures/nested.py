@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.signals.textures.corners import choose_corners
-from tilewright.signals.textures.frame import Frame
+from tilewright.signals.textures.frame import Frame, shared_border
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
 from tilewright.signals.textures.plan import Edge, Plan
 from tilewright.signals.textures.search import CONTEXT, CONTEXT_SIGMA, Opening, PatchSearch, Place
@@ -31,8 +31,6 @@ EDGE_PLAINNESS, CENTER_PLAINNESS = 0.7, 0.3
 """How much a conspicuous place is marked down; corner patches recur most and have their own."""
 RECURRENCE = 0.17
 """What every older pixel costs that an edge patch or a center patch leaves, see `Opening`."""
-BORDER = 2
-"""Pixels along the tile's border that belong to its edges."""
 
 
 def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Patchwork:
@@ -83,7 +81,9 @@ def lay_edge(
     shrink = MIXED_CORE if len(sources) > 1 else 1
     length, width = (c * frame.size * shrink for c in EDGE_CORE)
     core = (np.abs(along) < length) & (np.abs(across) < width)
+    # The corners of tiles are left to the corner patches, and the cut has a pixel to the diamond's border.
     limit = np.abs(frame.u) + np.abs(frame.v) < frame.half - 1
+    limit &= np.abs(along) < frame.half - shared_border(frame.size)
     ends = end_places(frame, edge, corners)
     opening = Opening(
         canvas, frame.ring(core, limit), weight, sources, ends, earlier, EDGE_PLAINNESS, RECURRENCE
@@ -156,7 +156,7 @@ def lay_center_patch(
 
 def inside_border(frame: Frame) -> NDArray[np.bool_]:
     """Pixels of a tile that its neighbors need not share."""
-    reach = frame.half - BORDER
+    reach = frame.half - shared_border(frame.size)
     return (np.abs(frame.u) < reach) & (np.abs(frame.v) < reach)
 
 

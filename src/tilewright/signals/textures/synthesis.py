@@ -27,10 +27,11 @@ from tilewright.signals.textures.regularity import (
     misfit_of_size,
     suited_tile_size,
 )
+from tilewright.signals.textures.seams import copy_maps
 from tilewright.signals.textures.search import Ledger, PatchSearch
 from tilewright.signals.textures.sheet import Sheet, make_sheet
 from tilewright.signals.textures.squares import lay_ng, lay_squares
-from tilewright.signals.textures.texture_tiles import TextureTiles, copy_from_sources
+from tilewright.signals.textures.texture_tiles import TextureTiles
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
 
@@ -146,8 +147,10 @@ def synthesize(
         {name: _to_source(sheet, place) for name, place in ledger.picked.items()},
         {n: [_to_source(sheet, p) for p in ps] for n, ps in ledger.rejected.items()},
     )
-    maps = copy_from_sources(exemplar.sources, origins)
-    return TextureTiles(tiles, maps, exemplar.sources, origins, recipe.to_dict(), exemplar.masks)
+    maps = copy_maps(exemplar.sources, origins, exemplar.kinds, tiles)
+    return TextureTiles(
+        tiles, maps, exemplar.sources, origins, recipe.to_dict(), exemplar.masks, exemplar.kinds
+    )
 
 
 def resynthesize(
@@ -178,7 +181,7 @@ def resynthesize(
         rejected.setdefault(name, []).append(recipe.patches[name])
         picked.pop(name, None)
     return synthesize(
-        Exemplar(material.sources, material.masks or None, recipe.weights),
+        Exemplar(material.sources, material.masks or None, recipe.weights, material.kinds),
         material.tiles,
         tile_size=recipe.tile_size,
         seed=recipe.seed,

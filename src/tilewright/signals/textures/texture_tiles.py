@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
+from tilewright.signals.textures.kinds import guess_kind
 from tilewright.tiles import TileSet
 
 
@@ -30,6 +31,8 @@ class TextureTiles:
         Plain JSON values.
     masks : tuple of bool array, shape (h, w)
         For each source, the pixels that may be copied; empty where all may.
+    kinds : dict of str to str
+        What each map holds, one of `KINDS`; guessed from its name where not given.
     """
 
     tiles: TileSet
@@ -38,10 +41,14 @@ class TextureTiles:
     origins: NDArray[np.uint16]
     recipe: dict[str, Any] = field(default_factory=dict)
     masks: tuple[NDArray[np.bool_], ...] = ()
+    kinds: dict[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         if not self.maps:
             raise TilewrightValueError("maps is empty; a material needs at least one map")
+        object.__setattr__(
+            self, "kinds", {name: self.kinds.get(name) or guess_kind(name) for name in self.maps}
+        )
         for name, pixels in self.maps.items():
             if pixels.ndim != 4 or pixels.shape[:3] != self.origins.shape[:3]:
                 raise TilewrightValueError(

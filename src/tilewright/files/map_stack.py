@@ -1,0 +1,87 @@
+"""The maps of a scanned material: which file of a folder is which."""
+
+import re
+from pathlib import Path
+
+from tilewright.errors import TilewrightFileError
+from tilewright.files.whole import as_path
+
+# Map -> the words that ambientCG, Poly Haven, Substance and others end its file names with.
+WORDS = {
+    "albedo": ("color", "col", "diff", "diffuse", "albedo", "basecolor", "base_color"),
+    "normal": ("normal", "nor", "nrm", "normal_gl", "nor_gl", "normalgl", "normal_opengl"),
+    "normal-dx": ("normal_dx", "nor_dx", "normaldx", "normal_directx"),
+    "roughness": ("roughness", "rough"),
+    "glossiness": ("glossiness", "gloss", "smoothness"),
+    "metalness": ("metalness", "metallic", "metal"),
+    "height": ("displacement", "disp", "height", "depth"),
+    "bump": ("bump",),
+    "ao": ("ambientocclusion", "ambient_occlusion", "ao", "occlusion"),
+    "arm": ("arm",),
+    "orm": ("orm", "occlusionroughnessmetallic"),
+    "opacity": ("opacity", "alpha", "mask"),
+    "emissive": ("emission", "emissive", "emit"),
+    "specular": ("specular", "spec"),
+    "translucency": ("translucency", "translucent"),
+}
+_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".tga", ".bmp", ".hdr", ".webp")
+_SIZE = re.compile(r"\d+k|\d{3,5}(x\d{3,5})?|png|jpg|exr|tif|lod\d|\d+bit")
+
+
+def find_maps(folder: str | Path) -> dict[str, Path]:
+    """The maps in a folder, albedo first, told by the ends of their file names.
+
+    Files of other names are left out. Where a material brings its normals both ways, OpenGL's are taken.
+
+    Raises
+    ------
+    TilewrightFileError
+        No map was found, or two files claim to be the same one.
+    """
+    folder = as_path(folder)
+    try:
+        files = sorted(p for p in folder.iterdir() if p.suffix.lower() in _SUFFIXES)
+    except OSError as error:
+        raise TilewrightFileError(f"{folder} cannot be read: {(error.strerror or '').lower()}") from None
+    found: dict[str, Path] = {}
+    for file in files:
+        name = recognize_map(file.stem)
+        if name is None:
+            continue
+        if name in found:
+            raise TilewrightFileError(
+                f"{folder} has two files for {name}, {found[name].name} and {file.name}: name those you want "
+                "with --map"
+            )
+        found[name] = file
+    if "normal-dx" in found:
+        directx = found.pop("normal-dx")
+        found.setdefault("normal", directx)
+    if not found:
+        raise TilewrightFileError(
+            f"{folder} has no maps that can be told by name; their files end in _Color, _NormalGL, "
+            "_Roughness, _diff_2k or the like: or name them with --map"
+        )
+    return {name: found[name] for name in WORDS if name in found}
+
+
+def tell_green(file: Path) -> str | None:
+    """What a file name says of its normals: ``"normal-gl"``, ``"normal-dx"``, or None."""
+    if recognize_map(file.stem) == "normal-dx":
+        return "normal-dx"
+    told = re.search(r"(normal|nor|nrm)[^a-z]?(gl|opengl)([^a-z]|$)", file.stem, re.IGNORECASE)
+    return "normal-gl" if told else None
+
+
+def recognize_map(stem: str) -> str | None:
+    """Which map a file of this name is, None where it does not say: ``Moss002_2K-PNG_NormalGL``."""
+    spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", stem)
+    words = [w for w in re.split(r"[^a-z0-9]+", spaced.lower()) if w]
+    while words and _SIZE.fullmatch(words[-1]):
+        words.pop()
+    for length in (3, 2, 1):
+        ending = words[-length:]
+        for name, known in WORDS.items():
+            if len(ending) == length and {"_".join(ending), "".join(ending)} & set(known):
+                return name
+    return None

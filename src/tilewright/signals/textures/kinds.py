@@ -1,0 +1,125 @@
+"""What a map holds - light, numbers, roughness or normals - and how pixels of each are averaged."""
+
+import re
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+KINDS = ("color", "data", "roughness", "height", "normal-gl", "normal-dx")
+"""Light (sRGB where 8 or 16 bit, linear where float); numbers; roughness of a surface; heights of a surface;
+normals in tangent space with green up (OpenGL) or down (DirectX)."""
+
+Values = NDArray[np.float32]
+
+_NORMAL = re.compile(r"(^|[^a-z])(normal|nor|nrm|norm)([^a-z]|$)|normal", re.IGNORECASE)
+_DIRECTX = re.compile(r"(normal|nor|nrm|norm)[^a-z]?(dx|directx|d3d)", re.IGNORECASE)
+_ROUGHNESS = re.compile(r"rough|(^|[^a-z])rgh([^a-z]|$)", re.IGNORECASE)
+_HEIGHT = re.compile(r"height|depth|displace|(^|[^a-z])disp([^a-z]|$)|bump", re.IGNORECASE)
+_DATA = re.compile(
+    r"metal|occlusion|(^|[^a-z])(ao|arm|orm)([^a-z]|$)"
+    r"|mask|gloss|smoothness|specular|opacity|alpha|thickness|index",
+    re.IGNORECASE,
+)
+
+
+def guess_kind(name: str) -> str:
+    """What a map of this name most likely holds."""
+    if _NORMAL.search(name):
+        return "normal-dx" if _DIRECTX.search(name) else "normal-gl"
+    if _ROUGHNESS.search(name):
+        return "roughness"
+    if _HEIGHT.search(name):
+        return "height"
+    return "data" if _DATA.search(name) else "color"
+
+
+def is_normal(kind: str) -> bool:
+    """Whether a map of this kind holds vectors."""
+    return kind.startswith("normal")
+
+
+def to_values(pixels: NDArray[Any], kind: str) -> Values:
+    """Numbers whose mean is what a pixel seen from afar shows, shape as given.
+
+    Color becomes linear light multiplied by its alpha (the last of 2 or 4 channels), normals become vectors
+    of length 1, roughness r becomes r^4, the square of the width of GGX and Beckmann lobes, which adds up
+    like a variance; other numbers stay, integers as a share of their largest.
+    """
+    scaled = _scaled(pixels)
+    if kind == "color":
+        return _premultiplied(to_linear(scaled) if pixels.dtype.kind == "u" else scaled, scaled)
+    if kind == "roughness":
+        return np.maximum(scaled, 0) ** 4
+    if is_normal(kind):
+        if not is_signed(pixels):
+            scaled[..., :3] = 2 * scaled[..., :3] - 1
+        scaled[..., :3] = unit(scaled[..., :3])
+    return scaled
+
+
+def from_values(values: Values, kind: str, like: NDArray[Any]) -> NDArray[Any]:
+    """Pixels that show the values, in the encoding of the map ``like``; normals get length 1."""
+    if kind == "color":
+        values = _divided(values)
+        shown = to_encoded(values) if like.dtype.kind == "u" else values
+        if values.shape[-1] in (2, 4):
+            shown[..., -1] = values[..., -1]
+    elif kind == "roughness":
+        shown = values**0.25
+    elif is_normal(kind):
+        shown = values.copy()
+        shown[..., :3] = unit(values[..., :3])
+        if not is_signed(like):
+            shown[..., :3] = 0.5 * shown[..., :3] + 0.5
+    else:
+        shown = values
+    if like.dtype.kind == "f":
+        return shown.astype(like.dtype)
+    white = np.iinfo(like.dtype).max
+    return np.rint(np.clip(shown, 0, 1) * white).astype(like.dtype)
+
+
+def unit(vectors: Values) -> Values:
+    """Vectors of length 1 along the last axis; two components stay, as their third one is not stored."""
+    if vectors.shape[-1] < 3:
+        return vectors
+    length = np.sqrt((vectors * vectors).sum(axis=-1, keepdims=True))
+    return np.where(length > 1e-6, vectors / np.maximum(length, 1e-6), np.array([0, 0, 1], np.float32))
+
+
+def is_signed(pixels: NDArray[Any]) -> bool:
+    """Whether a map of normals holds -1 to 1, as float maps may, and not 0 to 1."""
+    return pixels.dtype.kind == "f" and abs(float(pixels[..., :2].mean(dtype=np.float64))) < 0.25
+
+
+def to_linear(encoded: NDArray[Any]) -> Values:
+    """Linear light of sRGB values from 0 to 1 (IEC 61966-2-1)."""
+    low, high = encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4
+    return np.where(encoded <= 0.04045, low, high).astype(np.float32)
+
+
+def to_encoded(linear: NDArray[Any]) -> Values:
+    """sRGB values of linear light from 0 to 1."""
+    low, high = 12.92 * linear, 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
+    return np.where(linear <= 0.0031308, low, high).astype(np.float32)
+
+
+def _scaled(pixels: NDArray[Any]) -> Values:
+    if pixels.dtype.kind == "f":
+        return pixels.astype(np.float32)
+    return pixels.astype(np.float32) / np.float32(np.iinfo(pixels.dtype).max)
+
+
+def _premultiplied(light: Values, scaled: Values) -> Values:
+    if light.shape[-1] not in (2, 4):
+        return light
+    alpha = scaled[..., -1:]
+    return np.concatenate([light[..., :-1] * alpha, alpha], axis=-1)
+
+
+def _divided(values: Values) -> Values:
+    if values.shape[-1] not in (2, 4):
+        return values
+    alpha = values[..., -1:]
+    return np.concatenate([values[..., :-1] / np.maximum(alpha, 1e-6), alpha], axis=-1)
