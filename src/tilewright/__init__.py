@@ -65,6 +65,8 @@ _HOME = {
     "make_point_tiles": "signals.points",
     "poisson_tiles": "signals.points",
     "recursive_points": "signals.points",
+    "add_maps": "files",
+    "find_maps": "files",
     "load": "files",
     "open_exemplar": "files",
     "read_image": "files",
@@ -99,7 +101,9 @@ _HOME = {
     "make_atlas": "export",
     "save_array": "export",
     "save_atlas": "export",
+    "save_for_engine": "export",
     "save_viewer": "export",
+    "write_ktx2": "export",
 }
 
 __all__ = ["__version__", *_HOME]

@@ -1,0 +1,48 @@
+"""Blender: an atlas for each map, a script node that finds places in it, and the material."""
+
+import json
+from pathlib import Path
+
+from tilewright.export.engines.folder import Kit, file_names
+from tilewright.export.engines.lookup import fill
+from tilewright.files.images import lossless_suffix, write_image
+
+
+def write(folder: Path, kit: Kit) -> None:
+    """Fill a folder."""
+    files = write_pictures(folder, kit)
+    shader = fill("blender/tilewright.osl", lookup=kit.lookup("osl"))
+    (folder / "tilewright.osl").write_text(shader, encoding="utf-8")
+    slots = kit.slots
+    light = [s for s, map in slots.items() if kit.material.kinds[map] == "color"]
+    script = fill(
+        "blender/material.py.in",
+        name="tilewright",
+        files=json.dumps({slot: files[map] for slot, map in slots.items()}, indent=4),
+        light=json.dumps(light),
+    )
+    (folder / "material.py").write_text(script, encoding="utf-8")
+    kit.finish(
+        folder,
+        "Blender",
+        "rendered here, in Cycles of Blender 5.0",
+        [
+            "Run material.py in Blender's Scripting tab: it makes the material and switches to Cycles with "
+            "Open "
+            "Shading Language (CPU, or OptiX). EEVEE has no script nodes.",
+            "Give the material to an object with UVs; the Mapping node's scale is tiles across one unit of "
+            "UV.",
+        ],
+        files,
+        mipmaps=False,
+    )
+
+
+def write_pictures(folder: Path, kit: Kit) -> dict[str, str]:
+    """Write level 0 of every map as a picture; file of each map."""
+    files = {}
+    for map, name in file_names(kit.material, "").items():
+        picture = kit.picture(map)
+        files[map] = name + lossless_suffix(picture.dtype)
+        write_image(folder / files[map], picture)
+    return files

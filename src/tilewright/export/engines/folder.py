@@ -1,0 +1,326 @@
+"""What the folder of every target has: the material prepared for a GPU, its numbers, its README."""
+
+import json
+import os
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright import __version__
+from tilewright.errors import TilewrightValueError
+from tilewright.export.engines.lookup import ARRAY_TILES, MOST_COLORS, lookup, numbers, start_states
+from tilewright.export.ktx2 import gpu_bytes
+from tilewright.signals.textures import TextureTiles
+from tilewright.signals.textures.kinds import is_normal, is_signed, to_linear
+from tilewright.signals.textures.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps
+from tilewright.tiles import CORNER
+from tilewright.tilings import packing
+
+FACTS = "tilewright.json"
+"""The file that makes a folder one of ours, and lists the others."""
+_SLOTS = {
+    "emission": r"emi(ss|t)|glow",
+    "metallic": r"metal",
+    "occlusion": r"occlusion|(^|[^a-z])ao([^a-z]|$)",
+    "height": r"height|displace|(^|[^a-z])disp([^a-z]|$)|bump|depth",
+    "opacity": r"opacity|alpha|mask",
+}
+_WITH_LEVELS = "Mip levels are in the files, to the last: keep them, and filter trilinear or anisotropic."
+_ODD_SIZE = " This tile size is no power of two: lines may show from afar."
+_WITHOUT_LEVELS = (
+    "The files hold no mip levels: renderers that take many samples a pixel need none. Made by the engine, "
+    "they "
+    "show no line while a texel is smaller than a sixteenth of a tile."
+)
+Levels = list[NDArray[Any]]
+
+
+@dataclass(frozen=True, eq=False)
+class Kit:
+    """A material on its way to an engine: what the writers of all targets draw on.
+
+    Attributes
+    ----------
+    material : TextureTiles
+        Over a complete corner set of 1 to 8 colors.
+    seed : int
+        Seed of the tiling.
+    form : str
+        ``"array"``: a layer for each tile, with gutters; ``"atlas"``: the packing.
+    green : str
+        ``"gl"`` or ``"dx"``: where the target wants the green of normal maps to point.
+    """
+
+    material: TextureTiles
+    seed: int
+    form: str
+    green: str
+    _mipmaps: dict[str, Mipmaps] = field(default_factory=dict)
+
+    @property
+    def colors(self) -> int:
+        """Colors of the corner set."""
+        return self.material.tiles.colors[0]
+
+    @property
+    def gutter(self) -> int | None:
+        """Pixels around each layer; None in an atlas."""
+        return self.mipmaps(self.material.main).gutter if self.form == "array" else None
+
+    @property
+    def slots(self) -> dict[str, str]:
+        """The map for each slot of a surface: color, normal, roughness, metallic, occlusion, ..."""
+        return find_slots(self.material)
+
+    def mipmaps(self, map: str) -> Mipmaps:
+        """Mip levels of a map as it is in the material."""
+        if map not in self._mipmaps:
+            if self.form == "array":
+                self._mipmaps[map] = layer_mipmaps(self.material, map)
+            else:
+                columns, rows = packing(self.material.tiles).size
+                cells = packing(self.material.tiles).indices(0, 0, columns, rows)
+                self._mipmaps[map] = atlas_mipmaps(self.material, cells, map)
+        return self._mipmaps[map]
+
+    def levels(self, map: str) -> tuple[Levels, bool]:
+        """Mip levels as a GPU takes them, and whether they are sRGB: (layers, rows, columns, 1, 2 or 4).
+
+        uint8 is kept; 16-bit and float maps become half floats, light among them linear. Three channels and
+        light get four. Green points where the target wants it.
+        """
+        kind, levels = self.material.kinds[map], list(self.mipmaps(map).levels)
+        srgb = kind == "color" and levels[0].dtype == np.uint8
+        if is_normal(kind):
+            signed, turn = is_signed(levels[0]), kind != f"normal-{self.green}"
+            levels = [_point_green(level, turn, signed) for level in levels]
+        return [_pad(_narrow(level, kind), kind == "color") for level in levels], srgb
+
+    def picture(self, map: str) -> NDArray[Any]:
+        """Level 0 of an atlas, of the map's own type and channels; green points where the target wants it."""
+        kind, level = self.material.kinds[map], self.mipmaps(map).levels[0][0]
+        if is_normal(kind):
+            return _point_green(level, kind != f"normal-{self.green}", is_signed(level))
+        return level
+
+    def lookup(self, dialect: str) -> str:
+        """The include file of a dialect; see `lookup`."""
+        return lookup(dialect, self.colors, self.seed, self.material.tile_size, self.gutter)
+
+    def numbers(self) -> dict[str, str | bool]:
+        """What templates are filled with: the numbers of the lookup, and True for each slot that has a "
+        "map."""
+        slots = {f"has_{name}": name in self.slots for name in ("color", "normal", "roughness", *_SLOTS)}
+        return numbers(self.colors, self.seed, self.material.tile_size, self.gutter) | slots
+
+    def finish(
+        self,
+        folder: Path,
+        name: str,
+        checked: str,
+        steps: Sequence[str],
+        files: dict[str, str],
+        *,
+        mipmaps: bool = True,
+    ) -> None:
+        """Write the README and the list of what the folder holds.
+
+        Parameters
+        ----------
+        name : str
+            What the folder is for, as a heading.
+        checked : str
+            ``"rendered here"`` or ``"compiled only"``, and by what: how far the project's tests went.
+        steps : sequence of str
+            What to do with the folder, a line each, three at most.
+        files : dict of str to str
+            File of each map.
+        mipmaps : bool
+            Whether the files hold mip levels.
+        """
+        text = _readme(self, name, checked, steps, files, mipmaps)
+        (folder / "README.md").write_text(text, encoding="utf-8")
+        _write_facts(self, folder, files)
+
+
+def prepare(material: TextureTiles, seed: int, *, atlas: bool = False, green: str = "gl") -> Kit:
+    """A kit; ``atlas`` for targets that take no texture arrays.
+
+    Raises
+    ------
+    TilewrightValueError
+        The tiles are not a complete corner set of 1 to 8 colors.
+    """
+    tiles = material.tiles
+    if tiles.shape is not CORNER or not tiles.is_complete or tiles.colors[0] > MOST_COLORS:
+        raise TilewrightValueError(
+            f"material is over the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; engine shaders "
+            f"find tiles of complete corner sets: make the texture over corner_tiles(C), C 1 to {MOST_COLORS}"
+        )
+    return Kit(material, seed, "atlas" if atlas or len(tiles) > ARRAY_TILES else "array", green)
+
+
+def find_slots(material: TextureTiles) -> dict[str, str]:
+    """The map for each slot of a surface, by kind and name; the first where several would do."""
+    found: dict[str, str] = {}
+    for name, kind in material.kinds.items():
+        slot = next((s for s, names in _SLOTS.items() if re.search(names, name, re.IGNORECASE)), "")
+        if is_normal(kind):
+            slot = "normal"
+        elif kind == "roughness":
+            slot = "roughness"
+        elif kind == "color" and slot != "emission":
+            slot = "color"
+        if slot:
+            found.setdefault(slot, name)
+    return found
+
+
+def file_names(material: TextureTiles, suffix: str) -> dict[str, str]:
+    """A file for each map, all different, of letters that every system and engine takes."""
+    names: dict[str, str] = {}
+    for map in material.maps:
+        stem = re.sub(r"[^A-Za-z0-9]+", "_", map).strip("_").lower() or "map"
+        while f"{stem}{suffix}" in names.values():
+            stem += "_"
+        names[map] = f"{stem}{suffix}"
+    return names
+
+
+def find_objection(folder: Path) -> str:
+    """Why a folder must not be replaced by an export; nothing where it may."""
+    try:
+        facts = json.loads((folder / FACTS).read_text(encoding="utf-8"))
+        ours = {FACTS, *map(str, facts["files"])}
+    except (OSError, ValueError, KeyError, TypeError):
+        return f"holds other things and no {FACTS} of an export"
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder).as_posix()
+        if name not in ours and (path.is_symlink() or not path.is_dir()):
+            return f"holds {name}, which the export did not write"
+    return ""
+
+
+def memory(kit: Kit) -> dict[str, dict[str, int]]:
+    """Bytes of GPU memory of each map with its mip levels, by format: map -> format -> bytes."""
+    table = {}
+    for map in kit.material.maps:
+        levels = list(kit.mipmaps(map).levels)
+        block = {1: "BC4", 2: "BC5"}.get(levels[0].shape[-1], "BC7")
+        if is_normal(kit.material.kinds[map]):
+            block = "BC5"
+        formats = ("RGBA8", block, "ASTC 4x4", "ASTC 6x6", "RGBA16F")
+        table[map] = {format: gpu_bytes(levels, format) for format in formats}
+    return table
+
+
+def _readme(
+    kit: Kit, name: str, checked: str, steps: Sequence[str], files: dict[str, str], mipmaps: bool
+) -> str:
+    material, table = kit.material, memory(kit)
+    even = kit.form == "array" or material.tile_size & (material.tile_size - 1) == 0
+    deep = any(pixels.dtype != np.uint8 for pixels in material.maps.values())
+    size, photograph = material.tile_size, next(iter(material.sources[0].values())).shape[1]
+
+    def total(*formats: str) -> str:
+        return f"{sum(row[f] for row in table.values() for f in formats if f in row) / 2**20:.1f} MiB"
+
+    maps = ", ".join(
+        f"{map} ({files[map]}, {material.kinds[map].partition('-')[0]})" for map in material.maps
+    )
+    lines = [
+        f"{name}, made by tilewright {__version__}: {len(material.tiles)} corner tiles, {kit.colors} colors, "
+        f"{size} px, seed {kit.seed}, as {kit.form}.",
+        f"Checked: {checked}.",
+        *steps,
+        f"Maps: {maps}; green of normals points {'up (OpenGL)' if kit.green == 'gl' else 'down (DirectX)'}"
+        f"{'; 16-bit and float maps are half floats' if mipmaps and deep else ''}.",
+        f"Scale: positions are in tiles, x east and y south. A tile is {size} of the photograph's "
+        f"{photograph} pixels: where that is M meters wide, divide meters by {size / photograph:.4g} M.",
+        (_WITH_LEVELS if mipmaps else _WITHOUT_LEVELS) + ("" if even else _ODD_SIZE),
+        f"GPU memory of all maps with mips: RGBA8 {total('RGBA8')}, "
+        f"BC7/BC5/BC4 {total('BC7', 'BC5', 'BC4')}, "
+        f"ASTC 4x4 {total('ASTC 4x4')}, ASTC 6x6 {total('ASTC 6x6')}, half {total('RGBA16F')}.",
+        "Another seed: export again. Another part of the plane, for another object: move the origin cell.",
+    ]
+    return "\n".join(f"{n}. {line}" if n else f"# {line}\n" for n, line in enumerate(lines)) + "\n"
+
+
+def _write_facts(kit: Kit, folder: Path, files: dict[str, str]) -> None:
+    """The numbers of the export, for programs, and the files of the folder."""
+    table = memory(kit)
+    maps = {
+        map: {
+            "file": files[map],
+            "kind": kit.material.kinds[map],
+            "levels": len(kit.mipmaps(map).levels),
+            "plain_levels": kit.mipmaps(map).clean,
+            "gpu_bytes": table[map],
+        }
+        for map in kit.material.maps
+    }
+    facts = {
+        "program": f"tilewright {__version__}",
+        "form": kit.form,
+        "tiles": len(kit.material.tiles),
+        "colors": kit.colors,
+        "tile_size": kit.material.tile_size,
+        "gutter": kit.gutter or 0,
+        "seed": kit.seed,
+        "start_states": start_states(kit.seed),
+        "green": kit.green,
+        "maps": maps,
+        "slots": kit.slots,
+        "files": sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()),
+    }
+    (folder / FACTS).write_text(json.dumps(facts, indent=1) + os.linesep, encoding="utf-8")
+
+
+def _point_green(level: NDArray[Any], turn: bool, signed: bool) -> NDArray[Any]:
+    """Normals from 0 to 1 (or the whole range of integers), green turned over where asked."""
+    level = level * np.float32(0.5) + np.float32(0.5) if signed else level.copy()
+    if turn:
+        level[..., 1] = (1 if level.dtype.kind == "f" else np.iinfo(level.dtype).max) - level[..., 1]
+    return level
+
+
+def _narrow(level: NDArray[Any], kind: str) -> NDArray[Any]:
+    """uint8 as it is, all else as half floats; light linear."""
+    if level.dtype == np.uint8:
+        return level
+    if level.dtype == np.uint16:
+        values = level.astype(np.float32) / np.float32(65535)
+        if kind == "color":
+            color = slice(0, values.shape[-1] - (values.shape[-1] in (2, 4)))
+            values[..., color] = to_linear(values[..., color])
+        level = values
+    most = np.finfo(np.float16).max
+    return np.clip(level, -most, most).astype(np.float16)
+
+
+def pad_levels(levels: Levels) -> Levels:
+    """Levels with four channels, whatever they had: gray is repeated, a second channel stays green."""
+    padded = []
+    for level in levels:
+        if level.shape[-1] == 2:
+            level = np.concatenate([level, np.zeros_like(level[..., :1])], axis=-1)
+        padded.append(_pad(level, True))
+    return padded
+
+
+def _pad(level: NDArray[Any], light: bool) -> NDArray[Any]:
+    """Three channels, and light of any number, as four."""
+    channels = level.shape[-1]
+    if channels == 4 or (channels < 3 and not light):
+        return np.ascontiguousarray(level)
+    one = 1 if level.dtype.kind == "f" else np.iinfo(level.dtype).max
+    padded = np.full((*level.shape[:-1], 4), one, level.dtype)
+    padded[..., :3] = level if channels == 3 else level[..., :1]
+    if channels == 2:
+        padded[..., 3] = level[..., 1]
+    return padded

@@ -1,0 +1,31 @@
+"""GLSL: the include file, an example of its use, KTX 2.0 textures, and a WebGL 2 page."""
+
+from pathlib import Path
+
+from tilewright.export.engines import webgl
+from tilewright.export.engines.folder import Kit
+from tilewright.export.engines.ktx2 import write_textures
+from tilewright.export.engines.lookup import fill
+
+
+def write(folder: Path, kit: Kit) -> None:
+    """Fill a folder."""
+    files = write_textures(folder, kit)
+    array = kit.form == "array"
+    texture, edge = ("sampler2DArray", "clamp to edge") if array else ("sampler2D", "repeat")
+    include = kit.lookup("glsl")
+    (folder / "tilewright.glsl").write_text(include, encoding="utf-8")
+    example = fill("glsl/example.frag", texture=texture, edge=edge, include=include)
+    (folder / "example.frag").write_text(example, encoding="utf-8")
+    webgl.write(folder, kit)
+    kit.finish(
+        folder,
+        "GLSL",
+        "rendered here, in WebGL 2 and through wgpu, equal to Python's picture at one texel per pixel",
+        [
+            "See it: open index.html in a browser; it needs no server.",
+            "Use it: put tilewright.glsl before your own shader (3.30, ES 3.00); example.frag shows the use.",
+            "Load the KTX 2.0 files.",
+        ],
+        files,
+    )

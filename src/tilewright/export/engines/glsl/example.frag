@@ -1,0 +1,12 @@
+#version 330
+// How to use tilewright.glsl: put it here, or include it as your engine does.
+{{include}}
+uniform {{texture}} colorMap;  // linear, mipmap linear, anisotropy 8, {{edge}}
+in vec2 uv;
+out vec4 color;
+
+void main() {
+  const float tiles = 8.0;  // across one unit of uv; turn y over where v points up
+  TwPlace at = twFind(uv * tiles, ivec2(0));
+  color = twSample(colorMap, at);
+}

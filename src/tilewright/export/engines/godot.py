@@ -1,0 +1,97 @@
+"""Godot 4: texture arrays as resources with the mip levels inside, a spatial shader, a scene."""
+
+import base64
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.export.engines.folder import Kit, Levels, file_names
+from tilewright.export.engines.lookup import fill
+
+_FORMATS = {
+    ("u1", 1): "Red8",
+    ("u1", 2): "RedGreen",
+    ("u1", 4): "RGBA8",
+    ("f2", 1): "RHalf",
+    ("f2", 2): "RGHalf",
+    ("f2", 4): "RGBAHalf",
+}
+"""Names of image formats by type and channels (Godot's Image)."""
+_HINTS = {"color": "source_color", "emission": "source_color", "normal": "hint_normal"}
+
+
+def write(folder: Path, kit: Kit) -> None:
+    """Fill a folder that is a Godot project of its own, or part of another one."""
+    files, array = file_names(kit.material, ".tres"), kit.form == "array"
+    for map, file in files.items():
+        _write_texture(folder / file, kit.levels(map)[0], array)
+    uniforms = [
+        f"uniform {'sampler2DArray' if array else 'sampler2D'} {slot}_map : "
+        f"{_HINTS.get(slot, 'hint_default_white')}, filter_linear_mipmap_anisotropic, "
+        f"repeat_{'disable' if array else 'enable'};"
+        for slot in kit.slots
+        if slot != "height"
+    ]
+    values = kit.numbers() | {"uniforms": "\n".join(uniforms), "place": "vec3" if array else "vec2"}
+    for name in ("tilewright.gdshader", "project.godot", "example.tscn"):
+        (folder / name).write_text(fill(f"godot/{name}", **values), encoding="utf-8")
+    (folder / "tilewright.gdshaderinc").write_text(kit.lookup("godot"), encoding="utf-8")
+    (folder / "material.tres").write_text(_material(kit, files), encoding="utf-8")
+    kit.finish(
+        folder,
+        "Godot 4",
+        "rendered here, in Godot 4.6 built for the web (Compatibility)",
+        [
+            "Open the folder as a project (Godot 4.3 or later) and run it, or copy it into the root of "
+            "yours.",
+            "Put material.tres on a mesh with UVs: `tiles` is the number of tiles across one unit of UV.",
+            "Textures are resources, not imported pictures: there are no import settings. Height is not "
+            "wired.",
+        ],
+        files,
+    )
+
+
+def _write_texture(path: Path, levels: Levels, array: bool) -> None:
+    """A Texture2DArray or an ImageTexture with all mip levels."""
+    layers = len(levels[0])
+    images = "".join(_image(n, [level[n] for level in levels]) for n in range(layers))
+    named = ", ".join(f'SubResource("{n}")' for n in range(layers))
+    kind, content = (
+        ("Texture2DArray", f"_images = [{named}]") if array else ("ImageTexture", f"image = {named}")
+    )
+    path.write_text(
+        f'[gd_resource type="{kind}" load_steps={layers + 1} format=4]\n\n{images}[resource]\n{content}\n',
+        encoding="ascii",
+    )
+
+
+def _image(number: int, levels: list[NDArray[Any]]) -> str:
+    """A picture with its mip levels, one after the other."""
+    rows, columns, channels = levels[0].shape
+    kind = _FORMATS[levels[0].dtype.str[1:], channels]
+    pixels = b"".join(np.ascontiguousarray(level).tobytes() for level in levels)
+    return (
+        f'[sub_resource type="Image" id="{number}"]\n'
+        f'data = {{\n"data": PackedByteArray("{base64.b64encode(pixels).decode()}"),\n'
+        f'"format": "{kind}",\n"height": {rows},\n"mipmaps": true,\n"width": {columns}\n}}\n\n'
+    )
+
+
+def _material(kit: Kit, files: dict[str, str]) -> str:
+    """The ShaderMaterial."""
+    kind = "Texture2DArray" if kit.form == "array" else "Texture2D"
+    used = {slot: files[map] for slot, map in kit.slots.items() if slot != "height"}
+    lines = [
+        f'[gd_resource type="ShaderMaterial" load_steps={len(used) + 2} format=3]\n',
+        '[ext_resource type="Shader" path="res://tilewright.gdshader" id="shader"]',
+        *(f'[ext_resource type="{kind}" path="res://{file}" id="{slot}"]' for slot, file in used.items()),
+        '\n[resource]\nshader = ExtResource("shader")',
+        *(f'shader_parameter/{slot}_map = ExtResource("{slot}")' for slot in used),
+        "shader_parameter/tiles = Vector2(50, 50)",
+        "shader_parameter/origin = Vector2i(0, 0)",
+        "shader_parameter/normal_depth = 1.0",
+    ]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,31 @@
+"""HLSL: the include file, an example of its use, and DDS textures."""
+
+from pathlib import Path
+
+from tilewright.export.engines.dds import write_dds
+from tilewright.export.engines.folder import Kit, file_names
+from tilewright.export.engines.lookup import fill
+
+
+def write(folder: Path, kit: Kit) -> None:
+    """Fill a folder."""
+    files = file_names(kit.material, ".dds")
+    for map, file in files.items():
+        levels, srgb = kit.levels(map)
+        write_dds(folder / file, levels, srgb=srgb)
+    array = kit.form == "array"
+    texture, edge = ("Texture2DArray", "CLAMP") if array else ("Texture2D", "WRAP")
+    (folder / "tilewright.hlsl").write_text(kit.lookup("hlsl"), encoding="utf-8")
+    example = fill("hlsl/example.hlsl", texture=texture, edge=edge)
+    (folder / "example.hlsl").write_text(example, encoding="utf-8")
+    kit.finish(
+        folder,
+        "HLSL",
+        "rendered here, compiled by glslang and run through wgpu, equal to Python's picture at one texel "
+        "per pixel",
+        [
+            "Include tilewright.hlsl, shader model 4 or later; example.hlsl shows the use.",
+            "The DDS files have the header of Direct3D 10: arrays, sRGB where the map is light.",
+        ],
+        files,
+    )

@@ -1,0 +1,11 @@
+// How to use tilewright.hlsl.
+#include "tilewright.hlsl"
+
+{{texture}} colorMap : register(t0);
+SamplerState filtering : register(s0);  // MIN_MAG_MIP_LINEAR or ANISOTROPIC, {{edge}}
+
+float4 main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target {
+  const float tiles = 8.0;  // across one unit of uv; turn y over where v points up
+  TwPlace at = TwFind(uv * tiles, int2(0, 0));
+  return TwSample(colorMap, filtering, at);
+}

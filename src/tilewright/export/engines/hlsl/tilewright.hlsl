@@ -1,0 +1,56 @@
+// Endless plane of corner tiles over {{colors}} colors, seed {{seed}}; made by tilewright {{version}}.
+// HLSL, shader model 4 and up. Positions p are in tiles, x east, y south.
+// {{#array}}
+// Textures are arrays with a layer for each tile. Filter them trilinear or anisotropic; clamp.
+// {{/array}}
+// {{#atlas}}
+// Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
+// {{/atlas}}
+#ifndef TILEWRIGHT_INCLUDED
+#define TILEWRIGHT_INCLUDED
+
+{{functions}}
+// {{#array}}
+// Where p is sampled: place and layer, and gradients of the place taken before p was split into tiles.
+struct TwPlace { float3 uv; float2 dx; float2 dy; };
+
+// p is counted from the cell origin; move it to have another part of the plane.
+TwPlace TwFind(float2 p, int2 origin) {
+  float2 cell = floor(p);
+  TwPlace at;
+  at.uv = float3((p - cell) * {{scale}} + {{gutter}}, (float)TwTile(TwCorners((int2)cell + origin)));
+  at.dx = ddx(p) * {{scale}};
+  at.dy = ddy(p) * {{scale}};
+  return at;
+}
+
+float4 TwSample(Texture2DArray map, SamplerState filtering, TwPlace at) {
+  return map.SampleGrad(filtering, at.uv, at.dx, at.dy);
+}
+// {{/array}}
+// {{#atlas}}
+// Where p is sampled, and gradients of that taken before p was split into tiles.
+struct TwPlace { float2 uv; float2 dx; float2 dy; };
+
+// p is counted from the cell origin; move it to have another part of the plane.
+TwPlace TwFind(float2 p, int2 origin) {
+  float2 cell = floor(p);
+  TwPlace at;
+  at.uv = ((float2)TwPlaceOf(TwCorners((int2)cell + origin)) + (p - cell)) * {{scale}};
+  at.dx = ddx(p) * {{scale}};
+  at.dy = ddy(p) * {{scale}};
+  return at;
+}
+
+float4 TwSample(Texture2D map, SamplerState filtering, TwPlace at) {
+  return map.SampleGrad(filtering, at.uv, at.dx, at.dy);
+}
+// {{/atlas}}
+
+// Normal of a normal map, green up (OpenGL): x east, y north, z out of the picture.
+float3 TwNormal(float4 texel) {
+  float2 n = texel.xy * 2.0 - 1.0;
+  return float3(n, sqrt(max(0.0, 1.0 - dot(n, n))));
+}
+
+#endif

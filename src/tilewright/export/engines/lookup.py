@@ -1,0 +1,159 @@
+"""The tile lookup of all shader dialects: its constants, its text, and the table it is tested against.
+
+The hash is the mixer of ``docs/hashes.md``. Everything that it takes in before the low word of y depends on
+the seed and on the signs of x and y alone, and is worked out here; a shader is left with two rounds for the
+rows of lattice points around a cell and half a round for each of its four corners.
+"""
+
+import re
+from importlib.resources import files
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tilewright import __version__
+from tilewright.errors import check_choice, check_int
+from tilewright.tiles import corner_tiles
+from tilewright.tilings import direct
+from tilewright.tilings.packing import packing
+
+MULTIPLIERS = (0x21F0AAAD, 0xD35A2D97)
+"""What the mixer multiplies by."""
+_START = (0x243F6A88, 0x85A308D3)
+_MASK = 0xFFFFFFFF
+DIALECTS = {
+    "glsl": "glsl/tilewright.glsl",
+    "wgsl": "wgsl/tilewright.wgsl",
+    "hlsl": "hlsl/tilewright.hlsl",
+    "unreal": "unreal/custom_node.hlsl",
+    "godot": "godot/tilewright.gdshaderinc",
+    "osl": "osl/lookup.osl",
+}
+"""The shader dialects, and the template of each one's lookup."""
+ARRAY_TILES = 256
+"""Sets of more tiles than this are laid out as an atlas, not as an array: all devices have 256 layers."""
+MOST_COLORS = 8
+
+
+def _mix(h: int) -> int:
+    h ^= h >> 16
+    h = h * MULTIPLIERS[0] & _MASK
+    h ^= h >> 15
+    h = h * MULTIPLIERS[1] & _MASK
+    return h ^ h >> 15
+
+
+def start_states(seed: int) -> tuple[tuple[int, int], ...]:
+    """Hash states (a, b) of a seed, as 32-bit words, for the four combinations of signs.
+
+    In the order x, y >= 0; x < 0 <= y; y < 0 <= x; x, y < 0. They are the states of the corner colors of
+    ``direct(tiles, seed)`` after all but the low words of y and x, for coordinates within 32 bits.
+    """
+    check_int("seed", seed, 0, 2**64 - 1)
+    states = []
+    for y_high in (0, _MASK):
+        for x_high in (0, _MASK):
+            a, b = _START
+            for word in (0, seed & _MASK, seed >> 32, 0, 0, x_high, y_high):
+                a = _mix(a ^ word)
+                b = _mix((b ^ a) + word & _MASK)
+            states.append((a, b))
+    return tuple(states)
+
+
+def tile_table(colors: int, seed: int, x: ArrayLike, y: ArrayLike) -> NDArray[np.int32]:
+    """The tile of each cell (x, y), as `direct` lays them: what every dialect must answer."""
+    tiling = direct(corner_tiles(colors), seed)
+    cells = zip(np.ravel(x), np.ravel(y), strict=True)
+    return np.array([tiling.indices(int(i), int(j), 1, 1)[0, 0] for i, j in cells], np.int32)
+
+
+def lookup(dialect: str, colors: int, seed: int, tile_size: int, gutter: int | None) -> str:
+    """The lookup in a shader dialect, as the text of an include file.
+
+    Parameters
+    ----------
+    dialect : str
+        One of `DIALECTS`.
+    colors : int
+        Colors of the complete corner set, 1 to 8.
+    seed : int
+        Seed of the tiling.
+    tile_size : int
+        Pixels along the side of a tile.
+    gutter : int or None
+        Pixels around each layer of a texture array; None for the packed atlas.
+    """
+    part = DIALECTS[check_choice("dialect", dialect, tuple(DIALECTS))]
+    check_int("colors", colors, 1, MOST_COLORS)
+    values = numbers(colors, seed, tile_size, gutter)
+    return fill(part, **values, functions=fill("hlsl/functions.hlsl", **values))
+
+
+def numbers(colors: int, seed: int, tile_size: int, gutter: int | None) -> dict[str, str | bool]:
+    """What the templates of the dialects are filled with."""
+    array, even = gutter is not None, colors % 2 == 0
+    layer = tile_size + 2 * (gutter or 0)
+    texels = layer if array else colors**2 * tile_size
+    named: dict[str, str | bool] = {
+        "version": __version__,
+        "colors": str(colors),
+        "half": str(colors // 2),
+        "side": str(colors**2),
+        "seed": str(seed),
+        "array": array,
+        "atlas": not array,
+        "odd": not array and not even,
+        "two": not array and colors == 2,
+        "even": not array and even and colors > 2,
+        # A tile's share of a layer's (or the atlas's) side, and where in a layer it begins.
+        "scale": real(tile_size / texels),
+        "gutter": real((gutter or 0) / texels),
+    }
+    for n, multiplier in enumerate(MULTIPLIERS):
+        named[f"m{n}"], named[f"m{n}s"] = f"0x{multiplier:08x}", str(signed(multiplier))
+    for n, state in enumerate(start_states(seed)):
+        for letter, word in zip("ab", state, strict=True):
+            named[f"{letter}{n}"], named[f"{letter}{n}s"] = f"0x{word:08x}", str(signed(word))
+    if even:
+        for axis, word in zip("xy", _base_places(), strict=True):
+            named[f"base_{axis}"], named[f"base_{axis}s"] = f"0x{word:08x}", str(signed(word))
+    return named
+
+
+def _base_places() -> tuple[int, int]:
+    """Column and row of the 16 tiles over 2 colors in their packing: two bits each, tile 0 lowest.
+
+    Tiles are numbered NW, NE, SW, SE here, as `torus_place` has them.
+    """
+    packed = packing(corner_tiles(2))
+    words = [0, 0]
+    for code in range(16):
+        nw, ne, sw, se = (code >> shift & 1 for shift in (3, 2, 1, 0))
+        place = packed.place(((ne * 2 + se) * 2 + sw) * 2 + nw)
+        for axis in range(2):
+            words[axis] |= int(place[axis]) << 2 * code
+    return words[0], words[1]
+
+
+def signed(word: int) -> int:
+    """A 32-bit word as the signed integer of the same bits, for dialects that know no others."""
+    return word - 2**32 if word >= 2**31 else word
+
+
+def real(value: float) -> str:
+    """A float literal that all dialects read back as the nearest 32-bit number."""
+    text = f"{value:.9g}"
+    return text if "." in text or "e" in text else f"{text}.0"
+
+
+def fill(part: str, **values: str | bool) -> str:
+    """A file beside this one with its placeholders filled.
+
+    ``{{name}}`` becomes the value; lines between ``{{#name}}`` and ``{{/name}}``, each on a line of its own
+    (in a comment), stay where the value is true and go where it is not.
+    """
+    text = (files("tilewright.export.engines") / part).read_text(encoding="utf-8")
+    section = r"^[^\S\n]*(?://|#) \{\{#(\w+)\}\}\n(.*?)^[^\S\n]*(?://|#) \{\{/\1\}\}\n"
+    text = re.sub(section, lambda m: m[2] if values[m[1]] else "", text, flags=re.DOTALL | re.MULTILINE)
+    return re.sub(r"\{\{(\w+)\}\}", lambda m: str(values[m[1]]), text)

@@ -1,0 +1,54 @@
+"""Open Shading Language: one shader with the lookup inside, and atlases with mip levels."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightFileError
+from tilewright.export.engines.folder import Kit, file_names
+from tilewright.export.engines.lookup import fill
+
+
+def write(folder: Path, kit: Kit) -> None:
+    """Fill a folder."""
+    files = file_names(kit.material, ".tx")
+    for map, file in files.items():
+        write_tx(folder / file, [level[0] for level in kit.levels(map)[0]])
+    shader = fill("osl/tilewright.osl", lookup=kit.lookup("osl"), **kit.numbers())
+    (folder / "tilewright.osl").write_text(shader, encoding="utf-8")
+    kit.finish(
+        folder,
+        "Open Shading Language",
+        "rendered here, in Cycles of Blender 5.0",
+        [
+            "Compile tilewright.osl with oslc; give Map a file and Position tiles, x east and y south (u, "
+            "-v).",
+            "Maps of kind color hold sRGB where they are 8 bit; linearize them as your renderer does for "
+            "textures.",
+        ],
+        files,
+    )
+
+
+def write_tx(path: Path, levels: list[NDArray[Any]]) -> None:
+    """A tiled TIFF whose subimages are mip levels, as OpenImageIO's texture system takes them."""
+    import OpenImageIO as oiio
+
+    output = oiio.ImageOutput.create("tiff")
+    if output is None:
+        raise TilewrightFileError(f"{path} could not be written ({oiio.geterror().strip()})")
+    for number, level in enumerate(levels):
+        rows, columns, channels = level.shape
+        spec = oiio.ImageSpec(columns, rows, channels, "uint8" if level.dtype == np.uint8 else "float")
+        spec.tile_width = spec.tile_height = 64
+        spec.attribute("compression", "zip")
+        spec.attribute("textureformat", "Plain Texture")
+        spec.attribute("wrapmodes", "periodic,periodic")
+        mode = "AppendSubimage" if number else "Create"
+        pixels = np.ascontiguousarray(level, None if level.dtype == np.uint8 else np.float32)
+        if not (output.open(str(path), spec, mode) and output.write_image(pixels)):
+            raise TilewrightFileError(f"{path} could not be written ({output.geterror().strip()})")
+    if not output.close():
+        raise TilewrightFileError(f"{path} could not be written ({output.geterror().strip()})")

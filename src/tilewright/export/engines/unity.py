@@ -1,0 +1,72 @@
+"""Unity: textures with an importer that keeps their mip levels, Shader Graph functions, a URP "
+"shader."""
+
+from pathlib import Path
+
+from tilewright.export.engines.dds import write_dds
+from tilewright.export.engines.folder import Kit, file_names
+from tilewright.export.engines.lookup import fill
+
+_READS = {
+    "color": "surface.albedo = {}.rgb;",
+    "normal": "surface.normalTS = TwNormal({});",
+    "roughness": "surface.smoothness = 1 - {}.r;",
+    "metallic": "surface.metallic = {}.r;",
+    "occlusion": "surface.occlusion = {}.r;",
+    "emission": "surface.emission = {}.rgb;",
+}
+"""What each slot's map gives to URP's SurfaceData."""
+
+
+def write(folder: Path, kit: Kit) -> None:
+    """Fill a folder."""
+    files = file_names(kit.material, ".twdds")
+    for map, file in files.items():
+        levels, srgb = kit.levels(map)
+        write_dds(folder / file, levels, srgb=srgb)
+    used = {slot: f"_{slot.capitalize()}Map" for slot in kit.slots if slot in _READS}
+    maps = ", ".join(f'("{used[slot]}", "{files[kit.slots[slot]]}")' for slot in used)
+    (folder / "Editor").mkdir()
+    array = "true" if kit.form == "array" else "false"
+    importer = fill("unity/TilewrightImporter.cs", maps=maps, array=array)
+    (folder / "Editor" / "TilewrightImporter.cs").write_text(importer, encoding="utf-8")
+    include = fill("unity/Tilewright.hlsl", **kit.numbers(), include=kit.lookup("hlsl"))
+    (folder / "Tilewright.hlsl").write_text(include, encoding="utf-8")
+    (folder / "Tilewright.shader").write_text(_shader(kit, used), encoding="utf-8")
+    kit.finish(
+        folder,
+        "Unity",
+        "compiled only: the include (and run) and the shader as HLSL by glslang, the importer by Mono's "
+        "compiler, "
+        "with stand-ins for what Unity has",
+        [
+            "Copy the folder into Assets (Unity 2021.2 or later, Universal Render Pipeline), right-click "
+            "it, Create, "
+            "Tilewright Material: Tiles is the number of tiles across one unit of UV. Height is not wired.",
+            "Shader Graph: a Custom Function node of type File with Tilewright.hlsl; functions Tilewright "
+            "and "
+            "TilewrightNormal. In the Built-in pipeline include Tilewright.hlsl yourself.",
+            "Textures are .twdds, DDS by another name, so that the importer in Editor keeps their mip "
+            "levels.",
+        ],
+        files,
+    )
+
+
+def _shader(kit: Kit, used: dict[str, str]) -> str:
+    """The URP shader, with a property, a texture and a read for each map."""
+    array = kit.form == "array"
+    kind = "2DArray" if array else "2D"
+    macro = "TEXTURE2D_ARRAY" if array else "TEXTURE2D"
+    sample = "SAMPLE_TEXTURE2D_ARRAY_GRAD({0}, sampler{0}, at.uv.xy, at.uv.z, at.dx, at.dy)"
+    if not array:
+        sample = "SAMPLE_TEXTURE2D_GRAD({0}, sampler{0}, at.uv, at.dx, at.dy)"
+    properties = [f'    {name} ("{slot.capitalize()}", {kind}) = "white" {{}}' for slot, name in used.items()]
+    textures = [f"      {macro}({name}); SAMPLER(sampler{name});" for name in used.values()]
+    reads = [f"        {_READS[slot].format(sample.format(name))}" for slot, name in used.items()]
+    return fill(
+        "unity/Tilewright.shader",
+        properties="\n".join(properties),
+        textures="\n".join(textures),
+        reads="\n".join(reads),
+    )

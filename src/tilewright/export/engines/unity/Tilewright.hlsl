@@ -1,0 +1,27 @@
+{{include}}
+// Shader Graph: Custom Function nodes of type File, with precision Single. Position is in tiles, x right and
+// y up as UV coordinates are; Origin is a cell, another one for each object.
+// {{#array}}
+#define TW_MAP UnityTexture2DArray
+#define TW_SAMPLE(map, at) SAMPLE_TEXTURE2D_ARRAY_GRAD(map.tex, map.samplerstate, at.uv.xy, at.uv.z, at.dx, at.dy)
+// {{/array}}
+// {{#atlas}}
+#define TW_MAP UnityTexture2D
+#define TW_SAMPLE(map, at) SAMPLE_TEXTURE2D_GRAD(map.tex, map.samplerstate, at.uv, at.dx, at.dy)
+// {{/atlas}}
+
+TwPlace TwFindUp(float2 position, float2 origin) {
+  return TwFind(float2(position.x, -position.y), (int2)round(origin));
+}
+
+// Function name: Tilewright
+void Tilewright_float(TW_MAP Map, float2 Position, float2 Origin, out float4 Color) {
+  TwPlace at = TwFindUp(Position, Origin);
+  Color = TW_SAMPLE(Map, at);
+}
+
+// Function name: TilewrightNormal; Normal is in tangent space
+void TilewrightNormal_float(TW_MAP Map, float2 Position, float2 Origin, out float3 Normal) {
+  TwPlace at = TwFindUp(Position, Origin);
+  Normal = TwNormal(TW_SAMPLE(Map, at));
+}

@@ -1,0 +1,44 @@
+"""Unreal Engine 5: an atlas for each map, a Custom node, and a script that builds the material."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+from tilewright.export.engines.dds import write_dds
+from tilewright.export.engines.folder import Kit, file_names, pad_levels
+from tilewright.export.engines.lookup import fill
+
+
+def write(folder: Path, kit: Kit) -> None:
+    """Fill a folder."""
+    files = {map: f"T_{name}" for map, name in file_names(kit.material, ".dds").items()}
+    floats = []
+    for map, file in files.items():
+        levels = pad_levels(kit.levels(map)[0])
+        write_dds(folder / file, levels, old=levels[0].dtype == np.uint8)
+        floats += [file] if levels[0].dtype != np.uint8 else []
+    slots = kit.slots
+    script = fill(
+        "unreal/make_material.py.in",
+        files=json.dumps({slot: files[map] for slot, map in slots.items()}, indent=4),
+        light=json.dumps([s for s, map in slots.items() if kit.levels(map)[1]]),
+        floats=json.dumps(floats),
+    )
+    (folder / "make_material.py").write_text(script, encoding="utf-8")
+    (folder / "custom_node.hlsl").write_text(kit.lookup("unreal"), encoding="utf-8")
+    kit.finish(
+        folder,
+        "Unreal Engine 5",
+        "compiled only: the node's code as HLSL by glslang, and run; the script against a stand-in",
+        [
+            "In the editor: Tools, Execute Python Script, make_material.py. It imports the maps into "
+            "/Game/Tilewright with their mip levels and makes M_Tilewright, with a parameter TilesPerUV. "
+            "Height is not wired.",
+            "By hand: paste custom_node.hlsl into a Custom node (its head names the pins), and feed UVs, "
+            "DDX and DDY "
+            "of Texture Sample nodes whose mip value mode is Derivative.",
+            "Sides of the atlas should be powers of two (1, 2, 4 or 8 colors), else Unreal drops mip levels.",
+        ],
+        files,
+    )

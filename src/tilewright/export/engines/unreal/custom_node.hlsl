@@ -1,0 +1,14 @@
+// Endless plane of corner tiles over {{colors}} colors, seed {{seed}}; made by tilewright {{version}}.
+// Code of a Custom node. Inputs Position (in tiles, x east, y south) and Origin (a cell), float2 each;
+// output float2: the place in the atlas; additional outputs DX and DY, float2: its gradients.
+struct TwFunctions {
+
+{{functions}}
+};
+
+TwFunctions tw;
+float2 twCell = floor(Position);
+uint2 twPlace = tw.TwPlaceOf(tw.TwCorners((int2)twCell + (int2)round(Origin)));
+DX = ddx(Position) * {{scale}};
+DY = ddy(Position) * {{scale}};
+return ((float2)twPlace + (Position - twCell)) * {{scale}};

@@ -1,0 +1,27 @@
+"""WGSL: the include file, an example of its use, and KTX 2.0 textures."""
+
+from pathlib import Path
+
+from tilewright.export.engines.folder import Kit
+from tilewright.export.engines.ktx2 import write_textures
+from tilewright.export.engines.lookup import fill
+
+
+def write(folder: Path, kit: Kit) -> None:
+    """Fill a folder."""
+    files = write_textures(folder, kit)
+    array = kit.form == "array"
+    texture, edge = ("texture_2d_array", "clamp-to-edge") if array else ("texture_2d", "repeat")
+    (folder / "tilewright.wgsl").write_text(kit.lookup("wgsl"), encoding="utf-8")
+    example = fill("wgsl/example.wgsl", texture=texture, edge=edge)
+    (folder / "example.wgsl").write_text(example, encoding="utf-8")
+    kit.finish(
+        folder,
+        "WGSL",
+        "rendered here, through wgpu, equal to Python's picture at one texel per pixel",
+        [
+            "Put tilewright.wgsl before your own shader; example.wgsl shows the use.",
+            "Load the KTX 2.0 files.",
+        ],
+        files,
+    )
