@@ -27,6 +27,10 @@ class TilewrightFileError(TilewrightError, OSError):
     """A file or folder cannot be read or written, or does not hold what it should."""
 
 
+class GpuError(TilewrightError, RuntimeError):
+    """There is no GPU to draw with, it refused a program, or a material does not fit on it."""
+
+
 class TilewrightWarning(UserWarning):
     """Something will work but is likely not what was wanted."""
 

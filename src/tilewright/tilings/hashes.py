@@ -11,6 +11,11 @@ from tilewright.tiles.tileset import as_integers
 
 Coordinates = NDArray[np.int64]
 
+MULTIPLIERS = (0x21F0AAAD, 0xD35A2D97)
+"""What the mixer multiplies by; shaders are filled from here, kernels repeat it."""
+_START = (0x243F6A88, 0x85A308D3)
+_WORD = 2**32
+
 
 class LatticeHash(ABC):
     """Colors of lattice points of 1 to 3 dimensions.
@@ -75,6 +80,18 @@ class MixerHash(LatticeHash):
     def range(self) -> int:
         return 2**32
 
+    def start(self, x_high: int, y_high: int, stream: int = 0) -> tuple[int, int]:
+        """The state (a, b) after everything but the low words of y and x, at z = 0: what shaders start with.
+
+        ``x_high`` and ``y_high`` are the high words of the coordinates, modulo 2^32.
+        """
+        a, b = _START
+        seed = int(self.seed)
+        for word in (stream, seed % _WORD, (seed >> 32) % _WORD, 0, 0, x_high % _WORD, y_high % _WORD):
+            a = _mix(a ^ word)
+            b = _mix(((b ^ a) + word) % _WORD)
+        return a, b
+
     def words(
         self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
     ) -> NDArray[np.int64]:
@@ -100,6 +117,14 @@ class MixerHash(LatticeHash):
 
     def numbers(self, stream: int, *point: ArrayLike) -> NDArray[np.int64]:
         return self.words(stream, *point) >> 8
+
+
+def _mix(h: int) -> int:
+    h ^= h >> 16
+    h = h * MULTIPLIERS[0] % _WORD
+    h ^= h >> 15
+    h = h * MULTIPLIERS[1] % _WORD
+    return h ^ h >> 15
 
 
 def count_colors(count: int) -> int:

@@ -14,13 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright import __version__
 from tilewright.errors import check_choice, check_int
 from tilewright.tiles import corner_tiles
-from tilewright.tilings import direct
+from tilewright.tilings import MixerHash, direct
+from tilewright.tilings.hashes import MULTIPLIERS
 from tilewright.tilings.packing import packing
 
-MULTIPLIERS = (0x21F0AAAD, 0xD35A2D97)
-"""What the mixer multiplies by."""
-_START = (0x243F6A88, 0x85A308D3)
-_MASK = 0xFFFFFFFF
 DIALECTS = {
     "glsl": "glsl/tilewright.glsl",
     "wgsl": "wgsl/tilewright.wgsl",
@@ -35,14 +32,6 @@ ARRAY_TILES = 256
 MOST_COLORS = 8
 
 
-def _mix(h: int) -> int:
-    h ^= h >> 16
-    h = h * MULTIPLIERS[0] & _MASK
-    h ^= h >> 15
-    h = h * MULTIPLIERS[1] & _MASK
-    return h ^ h >> 15
-
-
 def start_states(seed: int) -> tuple[tuple[int, int], ...]:
     """Hash states (a, b) of a seed, as 32-bit words, for the four combinations of signs.
 
@@ -50,15 +39,8 @@ def start_states(seed: int) -> tuple[tuple[int, int], ...]:
     ``direct(tiles, seed)`` after all but the low words of y and x, for coordinates within 32 bits.
     """
     check_int("seed", seed, 0, 2**64 - 1)
-    states = []
-    for y_high in (0, _MASK):
-        for x_high in (0, _MASK):
-            a, b = _START
-            for word in (0, seed & _MASK, seed >> 32, 0, 0, x_high, y_high):
-                a = _mix(a ^ word)
-                b = _mix((b ^ a) + word & _MASK)
-            states.append((a, b))
-    return tuple(states)
+    hash = MixerHash(seed)
+    return tuple(hash.start(x_high, y_high) for y_high in (0, -1) for x_high in (0, -1))
 
 
 def tile_table(colors: int, seed: int, x: ArrayLike, y: ArrayLike) -> NDArray[np.int32]:

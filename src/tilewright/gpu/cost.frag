@@ -1,0 +1,6 @@
+// What is counted: one sample at a position that the rasterizer interpolates, in tiles.
+
+layout(location = 0) in vec2 p;
+layout(location = 0) out vec4 color;
+
+void main() { color = sampleField(p, dFdx(p), dFdy(p)); }

@@ -1,0 +1,99 @@
+"""A texture field drawn by a GPU: the tile of each pixel is found in the fragment shader."""
+
+from typing import Any
+
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightValueError
+from tilewright.fields.pair import check_pair
+from tilewright.gpu.cameras import Camera, Sight
+from tilewright.gpu.device import open_gpu
+from tilewright.gpu.hashing import shader_hash, view_bytes
+from tilewright.gpu.layouts import check_set, make_layout
+from tilewright.gpu.painter import Painter
+from tilewright.gpu.pixels import PixelFormat
+from tilewright.signals.textures import TextureTiles
+from tilewright.signals.textures.mipmaps import Mipmaps
+from tilewright.tilings import Tiling
+from tilewright.tilings.direct import DirectTiling
+
+
+class GpuField:
+    """Texture tiles laid by a direct tiling, drawn on a GPU (Lagae & Dutré 2006, section 6).
+
+    Parameters
+    ----------
+    material : TextureTiles
+        Over a complete set of corner tiles, or of Wang tiles (Wei 2004).
+    tiling : Tiling
+        ``direct(material.tiles, seed)``, with the mixer or a permutation table as its hash.
+    layout : str, optional
+        ``"array"``: a layer for each tile, with gutters; ``"atlas"``: all tiles packed into one picture, for
+        Wang tiles with Wei's second picture for what is near corners. By default an array up to 256 tiles.
+    map : str, optional
+        Which map; the main one by default.
+
+    Attributes
+    ----------
+    mipmaps : tuple of Mipmaps
+        What is in the textures.
+
+    Raises
+    ------
+    GpuError
+        There is no GPU or no wgpu, the shader is refused, or the textures are too large.
+    TilewrightValueError
+        A set or a tiling that has no shader.
+
+    Notes
+    -----
+    Where every pixel is one texel the picture is `TextureField.render`, byte for byte. 8-bit maps are kept as
+    they are (light as sRGB textures, so that filters average it linearly); 16-bit and float maps are stored
+    as 32-bit floats, which a GPU must be able to filter.
+    """
+
+    def __init__(
+        self, material: TextureTiles, tiling: Tiling, *, layout: str | None = None, map: str | None = None
+    ) -> None:
+        check_pair(material, TextureTiles, tiling)
+        check_set(material.tiles)
+        hash = shader_hash(check_tiling(tiling).hash, material.tiles.colors)
+        lookup = make_layout(material, layout, map)
+        name = material.main if map is None else map
+        pixels = PixelFormat.of(material.maps[name], material.kinds[name])
+        self.material, self.tiling, self.layout = material, tiling, lookup.name
+        self.mipmaps: tuple[Mipmaps, ...] = lookup.textures
+        self._hash, self._density = hash, lookup.density
+        self._painter = Painter(open_gpu(), lookup, hash, pixels)
+
+    def render(self, camera: Camera) -> NDArray[Any]:
+        """What a camera sees.
+
+        Parameters
+        ----------
+        camera : OrthographicCamera or PerspectiveCamera
+
+        Returns
+        -------
+        array, shape (height, width, channels), of the map's type
+            0 in all channels where the camera sees the sky.
+        """
+        return self._painter.paint(camera, self.material.tile_size, self._view)
+
+    def _view(self, sight: Sight) -> bytes:
+        states, origin = self._hash.place(*(self._density * cell for cell in sight.cell))
+        return view_bytes(sight.rows, states, origin)
+
+
+def check_tiling(tiling: Tiling) -> DirectTiling:
+    """The tiling, if a shader can evaluate it."""
+    if not isinstance(tiling, DirectTiling) or tiling.algorithm not in ("corners", "edges"):
+        raise TilewrightValueError(
+            "the tiling is not one that a GPU evaluates; use direct(tiles, seed), with wang='edge-hash'"
+        )
+    if any(period is not None for period in tiling.domain.periods):
+        raise TilewrightValueError(
+            f"the tiling repeats after {tiling.domain.periods} cells; on a GPU tilings are endless: "
+            "leave out period"
+        )
+    return tiling

@@ -1,0 +1,44 @@
+"""One picture, repeated over the plane: the plain texture that fields are compared with."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightValueError, check_choice
+from tilewright.gpu.cameras import Camera, Sight
+from tilewright.gpu.device import open_gpu
+from tilewright.gpu.hashing import view_bytes
+from tilewright.gpu.layouts import plain_layout
+from tilewright.gpu.painter import Painter
+from tilewright.gpu.pixels import PixelFormat
+from tilewright.signals.textures.kinds import KINDS
+
+
+class GpuPicture:
+    """A picture repeated over the plane, drawn by the cameras of `GpuField`.
+
+    Parameters
+    ----------
+    pixels : array, shape (side, side, channels), uint8, uint16 or float32
+        A square; its side is best a power of two.
+    kind : str
+        What it holds, as in ``TextureTiles.kinds``.
+    """
+
+    def __init__(self, pixels: NDArray[Any], kind: str = "color") -> None:
+        check_choice("kind", kind, KINDS)
+        if not isinstance(pixels, np.ndarray) or pixels.ndim != 3 or pixels.shape[0] != pixels.shape[1]:
+            raise TilewrightValueError(
+                f"pixels has shape {np.shape(pixels)}; expected a square (side, side, channels)"
+            )
+        self._side = len(pixels)
+        form = PixelFormat.of(pixels, kind)
+        self._painter = Painter(open_gpu(), plain_layout(pixels, kind), None, form)
+
+    def render(self, camera: Camera) -> NDArray[Any]:
+        """What a camera sees, shape (height, width, channels); see `GpuField.render`."""
+        return self._painter.paint(camera, self._side, self._view)
+
+    def _view(self, sight: Sight) -> bytes:
+        return view_bytes(sight.rows, np.zeros((2, 4), np.uint32), (0, 0))

@@ -1,0 +1,8 @@
+// What the CPU says of the picture: the rows of the camera's homography, and where its cells lie.
+
+layout(set = 0, binding = 0) uniform View {
+  vec4 x, y, w;
+  uvec4 west, east;  // start of the hash for x < 0 and x >= 0: two words for y >= 0, two for y < 0
+  ivec4 origin;      // lattice point of cell (0, 0)
+} view;
+layout(set = 0, binding = 1) uniform sampler filtering;
