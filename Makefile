@@ -2,11 +2,12 @@
 
 PYTHON ?= python3
 PHOTO ?=
+PHOTOS ?=
 VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
 
-.PHONY: demo test bench docs lint clean
+.PHONY: demo test bench docs gallery lint clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -21,6 +22,9 @@ demo: $(VENV)/.demo-installed
 
 test: $(VENV)/.test-installed
 	sh .ci/install-browser
+	sh .ci/install-gpu
+	sh .ci/install-node-tools
+	sh .ci/install-validators
 	$(BIN)/python -m pytest
 
 bench: $(VENV)/.bench-installed $(VENV)/.test-installed
@@ -34,6 +38,10 @@ lint: $(VENV)/.lint-installed
 
 docs: $(VENV)/.docs-installed
 	$(BIN)/mkdocs build --strict --quiet
+
+# Every photograph of a folder as tile set, wide, close and by five methods, in out/gallery.
+gallery: $(VENV)/.demo-installed
+	$(BIN)/python examples/gallery.py $(if $(PHOTOS),--photos "$(PHOTOS)")
 
 clean:
 	rm -rf $(VENV) $(OUT) site

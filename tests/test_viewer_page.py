@@ -8,7 +8,9 @@ import pytest
 
 import tilewright as tw
 from handmade import handmade
+from tilewright.analysis import compare_textures
 from tilewright.errors import TilewrightError
+from tilewright.fields.contenders import side_by_side
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 FLAGS = [
@@ -49,9 +51,9 @@ def open_page(browser, tmp_path):
     """Open a viewer of a material; fails on console errors and on any request but the file itself."""
     contexts, complaints = [], []
 
-    def open_(material, seed=0, width=160, height=120):
+    def open_(material, seed=0, width=160, height=120, compare=None):
         path = tmp_path / f"view{len(contexts)}.html"
-        tw.save_viewer(material, path, seed=seed)
+        tw.save_viewer(material, path, seed=seed, compare=compare)
         context = browser.new_context(viewport={"width": width, "height": height})
         contexts.append(context)
         page = context.new_page()
@@ -205,6 +207,105 @@ def test_no_line_shows_at_tile_borders_when_minified(open_page, gravel, shrink):
     assert excess(shown) < 1.05 * excess(wanted)
 
 
+@pytest.fixture(scope="module")
+def pair(gravel):
+    """A colored oblong photograph by five methods."""
+    color = np.stack([gravel[:150, :190, 0], gravel[9:159, 7:197, 0], gravel[300:450, 50:240, 0]], axis=2)
+    material = tw.synthesize(tw.Exemplar([{"albedo": color}]), tw.corner_tiles(2), tile_size=32, seed=1)
+    return compare_textures(material, seed=7)
+
+
+def show(page, method, beside=None):
+    page.evaluate("([method, beside]) => tilewright.show(method, beside)", [method, beside])
+
+
+def seen(state, shown):
+    """Where the pixels that are shown lie on the plane."""
+    return *origin(state, 32), shown.shape[1], shown.shape[0]
+
+
+@pytest.mark.parametrize("method", ["repeat", "hex", "noise", "wang", "corner"])
+def test_each_method_shows_the_pixels_of_its_twin(open_page, pair, method):
+    page = open_page(pair.material, seed=7, compare=pair)
+    show(page, method)
+    for x, y in ((0, 0), (-5, 3), (2**33, -(2**45))):
+        state = view(page, cellX=str(x), cellY=str(y), pixelsPerTile=32)
+        shown = read(page).astype(int)
+        off = np.abs(shown - pair.contenders[method].field.render(*seen(state, shown)))
+        assert off.max() <= (0 if method in ("repeat", "wang", "corner") else 1)
+        assert off.mean() < 0.01
+
+
+def test_gray_and_16_bit_photographs_are_compared_as_8_bit(open_page, gravel):
+    for photo in (gravel[:128, :128], gravel[:128, :160].astype(np.uint16) * 257):
+        material = tw.synthesize(tw.Exemplar([{"a": photo}]), tw.wang_tiles(2), tile_size=32, seed=1)
+        both = side_by_side(material, seed=2)
+        page = open_page(material, seed=2, compare=both)
+        for method, one in both.contenders.items():
+            show(page, method)
+            state = view(page, pixelsPerTile=32)
+            shown = read(page)
+            exact = one.field.render(*seen(state, shown)) / (1 if photo.dtype == np.uint8 else 257)
+            assert np.abs(shown - exact).max() <= (1.01 if photo.dtype == np.uint8 else 2.5)
+
+
+def test_seen_from_afar_each_method_keeps_the_mean_color(open_page, pair):
+    page = open_page(pair.material, seed=7, width=300, height=300, compare=pair)
+    for method, one in pair.contenders.items():
+        show(page, method)
+        plane = one.field.render(0, 0, 1500, 1500) / 255
+        light = np.where(plane <= 0.04045, plane / 12.92, ((plane + 0.055) / 1.055) ** 2.4).mean(axis=(0, 1))
+        wanted = 255 * (1.055 * light ** (1 / 2.4) - 0.055)
+        for size in (8, 2):
+            view(page, pixelsPerTile=size)
+            # The table of by-example noise averages encoded colors, which are darker than light.
+            assert np.abs(read(page).mean(axis=(0, 1)) - wanted).max() < (12 if method == "noise" else 5)
+
+
+def test_two_methods_side_by_side(open_page, pair):
+    page = open_page(pair.material, seed=7, width=800, height=500, compare=pair)
+    assert view(page)["method"] == "corner"
+    alone = {}
+    for method in ("hex", "wang"):
+        show(page, method)
+        alone[method] = read(page)
+    page.select_option("#method", "wang")
+    page.select_option("#beside", "hex")
+    wait_until(page, lambda: view(page)["beside"] == "hex")
+    both = read(page)
+    assert np.array_equal(both[:, :400], alone["wang"][:, :400])
+    assert np.array_equal(both[:, 400:], alone["hex"][:, 400:])
+    page.mouse.move(400, 300)
+    page.mouse.down()
+    page.mouse.move(200, 300, steps=3)
+    page.mouse.up()
+    assert view(page)["split"] == pytest.approx(0.25, abs=0.01)
+    moved = read(page)
+    assert np.array_equal(moved[:, 202:], alone["hex"][:, 202:])
+    page.focus("#divider")
+    page.keyboard.press("ArrowRight")
+    assert view(page)["split"] == pytest.approx(0.27, abs=0.01)
+    page.focus("#plane")
+    page.keyboard.press("x")
+    assert (view(page)["method"], view(page)["beside"]) == ("hex", "wang")
+    page.keyboard.press("v")
+    assert view(page)["beside"] is None
+    page.keyboard.press("c")
+    wait_until(page, lambda: view(page)["method"] == "noise")
+    page.click("tr[data-method=repeat]")
+    wait_until(page, lambda: view(page)["method"] == "repeat")
+
+
+def test_the_table_shows_what_was_measured(open_page, pair):
+    page = open_page(pair.material, width=800, height=600, compare=pair)
+    rows = page.locator("#methods tbody tr").all_inner_texts()
+    assert len(rows) == 5
+    assert rows[0].split("\t")[:3] == ["Plain repeat", "1", f"{pair.figures['repeat']['repetition']:.2f}"]
+    assert rows[2].split("\t")[1] == "3 + 3"
+    for name, row in zip(pair.contenders, rows, strict=True):
+        assert f"{pair.figures[name]['strangeness']:.2f}" in row
+
+
 def test_the_page_is_small_and_whole(tmp_path, gravel):
     color = np.repeat(gravel, 3, axis=2)
     material = tw.synthesize(tw.Exemplar([{"a": color}]), tw.corner_tiles(2), seed=1)
@@ -218,9 +319,16 @@ def test_bad_viewers_get_one_clear_line(tmp_path):
     for path, options, message in (
         ("a.png", {}, "a viewer is an .html file"),
         ("a.html", {"seed": -1}, "seed is -1"),
+        ("a.html", {"compare": True}, "compare must be what compare_textures"),
     ):
         with pytest.raises(TilewrightError, match=message):
             tw.save_viewer(material, tmp_path / path, **options)
+    assert not any(tmp_path.iterdir())
+
+
+def test_a_comparison_goes_with_its_material(tmp_path, pair):
+    with pytest.raises(TilewrightError, match="compare is about another material"):
+        tw.save_viewer(handmade(tw.corner_tiles(1)), tmp_path / "a.html", compare=pair)
     assert not any(tmp_path.iterdir())
 
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         save_comparison,
     )
     from tilewright.analysis.report import MEANING, Report, analyze_texture
+    from tilewright.analysis.rivals import RIVAL_MEANING, compare_textures
     from tilewright.analysis.sample import Sample, lay_sample
     from tilewright.analysis.spacing import (
         RadialDistribution,
@@ -44,6 +45,7 @@ _HOME = {
     "Comparison": "comparison",
     "LatticeSpikes": "spectrum",
     "PointReport": "point_report",
+    "RIVAL_MEANING": "rivals",
     "RadialDistribution": "spacing",
     "Report": "report",
     "Sample": "sample",
@@ -56,6 +58,7 @@ _HOME = {
     "bond_order": "spacing",
     "border_density": "border",
     "compare": "comparison",
+    "compare_textures": "rivals",
     "comparison_sheet": "point_report",
     "coverage_radius": "spacing",
     "discrepancy": "spacing",
@@ -76,6 +79,7 @@ _HOME = {
 __all__ = [
     "MEANING",
     "POINT_MEANING",
+    "RIVAL_MEANING",
     "BorderDensity",
     "Comparison",
     "LatticeSpikes",
@@ -92,6 +96,7 @@ __all__ = [
     "bond_order",
     "border_density",
     "compare",
+    "compare_textures",
     "comparison_sheet",
     "coverage_radius",
     "discrepancy",

@@ -1,36 +1,11 @@
-"""What pixels mean to the eye: which maps are light, sRGB, and bytes for a screen."""
+"""What pixels mean to the eye: bytes for a screen."""
 
-import re
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-_DATA = re.compile(
-    r"normal|rough|metal|height|depth|displace|bump|occlusion|(^|[^a-z])ao([^a-z]|$)|mask|gloss|specular"
-    r"|opacity|alpha|thickness|index",
-    re.IGNORECASE,
-)
-
-
-def is_light(name: str) -> bool:
-    """Whether a map of this name holds colors that are seen, not quantities such as normals or heights.
-
-    Light is averaged linearly: 8-bit and 16-bit maps are then taken as sRGB, float maps as linear already.
-    """
-    return _DATA.search(name) is None
-
-
-def to_linear(encoded: NDArray[Any]) -> NDArray[np.float32]:
-    """Linear light of sRGB values from 0 to 1 (IEC 61966-2-1)."""
-    low, high = encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4
-    return np.where(encoded <= 0.04045, low, high).astype(np.float32)
-
-
-def to_encoded(linear: NDArray[Any]) -> NDArray[np.float32]:
-    """sRGB values of linear light from 0 to 1."""
-    low, high = 12.92 * linear, 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
-    return np.where(linear <= 0.0031308, low, high).astype(np.float32)
+from tilewright.signals.textures.kinds import to_encoded
 
 
 def _has_alpha(channels: int, light: bool) -> bool:

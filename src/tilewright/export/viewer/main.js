@@ -6,12 +6,14 @@ const shaderText = (id) => element(id).textContent.trim();
 /** The material as written into the page, with binary tables unpacked. */
 function readMaterial() {
   const material = JSON.parse(element("material").textContent);
-  for (const name of ["cells", "indexOfCode"]) {
-    const table = material.tiling[name];
-    if (!table) continue;
-    const bytes = Uint8Array.from(atob(table.values), (c) => c.charCodeAt(0));
-    table.values = new Uint16Array(bytes.buffer);
+  const unpack = (table, kind) => {
+    if (table) table.values = new kind(Uint8Array.from(atob(table.values), (c) => c.charCodeAt(0)).buffer);
+  };
+  for (const { tiles } of material.planes) {
+    unpack(tiles?.tiling.cells, Uint16Array);
+    unpack(tiles?.tiling.indexOfCode, Uint16Array);
   }
+  unpack(material.photo?.inverse, Float32Array);
   return material;
 }
 
@@ -19,10 +21,11 @@ class Page {
   constructor() {
     this.material = readMaterial();
     this.canvas = element("plane");
-    this.lattice = new Lattice(this.material.tiling);
+    this.seed = 0n;
     this.camera = new Camera(this.material.tileSize);
     this.look = { map: 0, repeat: false, borders: false, pixelRatio: 1, sky: [0, 0, 0], backdrop: [0.5, 0.5, 0.5] };
     this.pace = 1;
+    this.comparison = new Comparison(this.material.planes, () => this.#load());
     this.startRenderer();
     this.#connect();
     this.setSeed(String(this.material.seed));
@@ -30,7 +33,8 @@ class Page {
   }
 
   startRenderer() {
-    const shaders = { plane: shaderText("plane.frag"), mip: shaderText("mip.frag") };
+    const parts = [...document.querySelectorAll("script[type='x-shader/x-fragment']")];
+    const shaders = Object.fromEntries(parts.map(({ id }) => [id.split(".")[0], shaderText(id)]));
     this.renderer = new Renderer(this.canvas, this.material, shaders);
   }
 
@@ -40,7 +44,8 @@ class Page {
       b: () => this.#toggle("borders"), r: () => this.#toggle("repeat"), n: () => this.nextSeed(),
       s: () => element("seed").select(), 1: () => this.oneToOne(), 0: () => this.reset(), home: () => this.reset(),
       h: () => document.body.classList.toggle("bare"), "?": () => shortcuts.showModal(),
-      m: () => this.#nextMap(),
+      m: () => this.#nextMap(), c: () => this.comparison.next(), v: () => this.comparison.toggleBeside(),
+      x: () => this.comparison.swap(),
     };
     new CanvasControls(this.canvas, this.camera, (moving) => this.changed(moving), keys);
     this.canvas.addEventListener("pointermove", (event) => this.#point(event));
@@ -48,7 +53,7 @@ class Page {
     this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
     this.canvas.addEventListener("webglcontextrestored", () => {
       this.startRenderer();
-      this.#chooseMap(this.look.map);
+      this.#load();
     });
     element("seed").addEventListener("input", () => this.setSeed(element("seed").value));
     element("next-seed").addEventListener("click", () => this.nextSeed());
@@ -87,9 +92,15 @@ class Page {
   }
 
   async #chooseMap(index) {
-    await this.renderer.load(index);
+    await this.#load(index);
     this.look.map = element("map").selectedIndex = index;
     element("map-note").textContent = this.material.maps[index].note;
+    this.changed(false);
+  }
+
+  /** Put what is shown on the device. */
+  async #load(map = this.look.map) {
+    await Promise.all(this.comparison.shown.map(({ plane }) => this.renderer.planes[plane].load(map)));
     this.changed(false);
   }
 
@@ -104,7 +115,7 @@ class Page {
     box.setAttribute("aria-invalid", String(!good));
     element("seed-note").textContent = good ? "" : "A whole number from 0 to 2⁶⁴ − 1";
     if (good) {
-      this.lattice.setSeed(BigInt(text));
+      this.seed = BigInt(text);
       if (box.value.trim() !== text.trim()) box.value = text.trim();
       this.changed(false);
     }
@@ -112,7 +123,7 @@ class Page {
   }
 
   nextSeed() {
-    if (!element("seed").disabled) this.setSeed(String((this.lattice.seed + 1n) % 2n ** 64n));
+    if (!element("seed").disabled) this.setSeed(String((this.seed + 1n) % 2n ** 64n));
   }
 
   oneToOne() {
@@ -155,12 +166,13 @@ class Page {
   }
 
   draw(coarse = 1) {
-    if (!this.renderer.textures.has(this.look.map)) return;
+    const { shown } = this.comparison;
+    if (!shown.every(({ plane }) => this.renderer.planes[plane].isLoaded(this.look.map))) return;
     const style = getComputedStyle(document.documentElement);
     this.look.sky = parseColor(style.getPropertyValue("--sky"));
     this.look.backdrop = parseColor(style.getPropertyValue("--backdrop"));
     this.look.pixelRatio = window.devicePixelRatio || 1;
-    this.renderer.draw(this.camera, this.lattice, this.look, coarse);
+    this.renderer.draw(this.camera, this.seed, this.look, shown, coarse);
     this.#describe();
   }
 
@@ -187,9 +199,9 @@ class Page {
       : [this.camera.width / 2, this.camera.height / 2];
     if (!this.camera.showsGround(at[1])) return;
     const { cellX, cellY } = this.camera.locate(...at);
-    const tile = this.look.repeat ? this.material.repeat : this.lattice.tileAt(cellX, cellY);
+    const plane = this.renderer.planes[this.comparison.planeAt(at[0] / this.camera.width)];
     element("cell").textContent = `cell ${grouped(cellX)}, ${grouped(cellY)}`;
-    element("tile").textContent = tile < 0 ? "no tile" : `tile ${tile}`;
+    element("tile").textContent = plane.describe(cellX, cellY, this.seed, this.look);
   }
 
   // --- The API ----------------------------------------------------------------------------------------
@@ -200,6 +212,7 @@ class Page {
     if (wanted.seed !== undefined && !this.setSeed(String(wanted.seed))) throw new RangeError("seed: 0 to 2^64 - 1");
     if (wanted.borders !== undefined) this.#set("borders", Boolean(wanted.borders));
     if (wanted.repeat !== undefined) this.#set("repeat", Boolean(wanted.repeat));
+    this.comparison.set(wanted);
     if (wanted.cellX !== undefined) [camera.cellX, camera.x] = [BigInt(wanted.cellX), 0];
     if (wanted.cellY !== undefined) [camera.cellY, camera.y] = [BigInt(wanted.cellY), 0];
     if (wanted.pixelsPerTile !== undefined) {
@@ -214,8 +227,8 @@ class Page {
     this.draw();
     const { cellX, cellY, x, y } = camera.locate(0, 0);
     return {
-      seed: String(this.lattice.seed), map: this.material.maps[this.look.map].name,
-      borders: this.look.borders, repeat: this.look.repeat,
+      seed: String(this.seed), map: this.material.maps[this.look.map].name,
+      borders: this.look.borders, repeat: this.look.repeat, ...this.comparison.state,
       cellX: String(camera.cellX), cellY: String(camera.cellY),
       x: camera.x / camera.tileSize, y: camera.y / camera.tileSize,
       pixelsPerTile: camera.zoom * camera.tileSize, tilt: camera.tilt, turn: camera.turn,
@@ -224,13 +237,21 @@ class Page {
     };
   }
 
+  /** Number of the tile of the plane that is shown (the left one of two), -1 where it has none. */
+  #tileAt(x, y) {
+    const { lattice } = this.renderer.planes[this.comparison.shown[0].plane];
+    lattice?.setSeed(this.seed);
+    return lattice?.tileAt(x, y) ?? -1;
+  }
+
   get api() {
     return {
       ready: this.ready,
       view: (wanted) => this.view(wanted),
       showMap: (name) => this.#chooseMap(this.material.maps.findIndex((map) => map.name === name)),
       pixels: () => { this.changed(false); this.draw(); return this.renderer.pixels(); },
-      tileAt: (cellX, cellY) => this.lattice.tileAt(BigInt(cellX), BigInt(cellY)),
+      show: (method, beside) => { this.comparison.set({ method, beside }); return this.#load(); },
+      tileAt: (cellX, cellY) => this.#tileAt(BigInt(cellX), BigInt(cellY)),
     };
   }
 }

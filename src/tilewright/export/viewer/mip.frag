@@ -6,15 +6,16 @@ precision highp int;
 precision highp sampler2DArray;
 
 uniform sampler2DArray uTiles;
-uniform int uLayer, uSize, uAcross;  // uSize: texels of a tile in the level read, the base level
+uniform int uLayer, uAcross;
+uniform ivec2 uSize;  // texels of a tile in the level read, the base level
 
 out vec4 color;
 
 void main() {
-  int n = uSize, m = uSize >> 1;
+  ivec2 n = uSize, m = max(uSize >> 1, 1);
   ivec2 at = ivec2(gl_FragCoord.xy), tile = at / m, inside = at - tile * m;
   if (any(greaterThanEqual(tile, ivec2(uAcross)))) discard;
-  float ratio = float(n) / float(m);
+  vec2 ratio = vec2(n) / vec2(m);
   vec2 low = vec2(inside) * ratio, high = low + ratio;
   vec4 sum = vec4(0.0);
   float total = 0.0;

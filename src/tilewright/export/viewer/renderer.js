@@ -8,29 +8,28 @@ const LAYER_SIDE = 2048;
 const TRIANGLE = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }`;
 
+/** Draws planes: each is a TilePlane or a PhotoPlane, with a fragment shader of its own. */
 class Renderer {
+  /** @param shaders {plane, mip, lattice, tiles, photo}: texts, the last only where there is a comparison */
   constructor(canvas, material, shaders) {
     this.canvas = canvas;
-    this.material = material;
     const gl = canvas.getContext("webgl2", { alpha: false, antialias: false, depth: false, stencil: false });
     if (!gl) throw new Error("This page needs WebGL 2, which this browser does not offer or has switched off.");
     this.gl = gl;
-    const size = material.tileSize;
-    const across = Math.min(Math.max(1, Math.floor(LAYER_SIDE / size)), Math.ceil(Math.sqrt(material.count)));
-    this.across = across;
-    this.layers = Math.ceil(material.count / across ** 2);
-    this.topLevel = Math.floor(Math.log2(size));
-    if (across * size > gl.getParameter(gl.MAX_TEXTURE_SIZE) ||
-        this.layers > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS)) {
-      throw new Error(`This device cannot hold ${material.count} tiles of ${size} texels.`);
-    }
-    this.plane = this.#program(shaders.plane);
-    this.mip = this.#program(shaders.mip);
-    this.table = this.#table(material.tiling.cells ?? material.tiling.indexOfCode);
-    this.textures = new Map();
+    this.shaders = shaders;
+    this.mip = this.program(shaders.mip);
+    this.photos = new Map();
+    this.planes = material.planes.map((plane) =>
+      plane.tiles ? new TilePlane(this, material.tileSize, plane) : new PhotoPlane(this, material, plane));
   }
 
-  #program(fragment) {
+  /** Compile the fragment shader of a plane: what all share, its defines, and what it shows. */
+  planeProgram(defines, parts) {
+    const source = [defines, ...parts.map((name) => this.shaders[name])].join("\n");
+    return this.program(this.shaders.plane.replace("// SOURCE", () => source));
+  }
+
+  program(fragment) {
     const { gl } = this;
     const program = gl.createProgram();
     for (const [kind, source] of [[gl.VERTEX_SHADER, TRIANGLE], [gl.FRAGMENT_SHADER, fragment]]) {
@@ -54,68 +53,77 @@ class Renderer {
     return { program, uniforms };
   }
 
-  /** Whole numbers in a texture that the shader looks up. */
-  #table({ width, height, values } = { width: 1, height: 1, values: new Uint16Array(1) }) {
+  /** Numbers in a texture that the shader looks up. */
+  table(width, height, internal, format, type, values) {
     const { gl } = this;
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.R16UI, width, height);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RED_INTEGER, gl.UNSIGNED_SHORT, values);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, format, type, values);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     return texture;
   }
 
-  /** Decode a map's tiles and put them and their mip levels on the device, once. */
-  async load(index) {
-    if (this.textures.has(index)) return;
-    const { gl, across } = this, size = this.material.tileSize, map = this.material.maps[index];
-    const images = await Promise.all(map.tiles.map(decodeImage));
+  /**
+   * Decode images of one size and put them and their mip levels on the device: `across` x `across` of them on
+   * each layer.
+   */
+  async images(encoded, [width, height], light, across, topLevel) {
+    const { gl } = this;
+    const images = await Promise.all(encoded.map(decodeImage));
+    const layers = Math.ceil(images.length / across ** 2);
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
     gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
     gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-    const format = map.light ? gl.SRGB8_ALPHA8 : gl.RGBA8;
-    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, this.topLevel + 1, format, across * size, across * size, this.layers);
+    const format = light ? gl.SRGB8_ALPHA8 : gl.RGBA8;
+    gl.texStorage3D(gl.TEXTURE_2D_ARRAY, topLevel + 1, format, across * width, across * height, layers);
     images.forEach((image, tile) => {
       const place = tile % across ** 2;
-      gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, (place % across) * size, Math.floor(place / across) * size,
-        Math.floor(tile / across ** 2), size, size, 1, gl.RGBA, gl.UNSIGNED_BYTE, image);
+      gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, (place % across) * width, Math.floor(place / across) * height,
+        Math.floor(tile / across ** 2), width, height, 1, gl.RGBA, gl.UNSIGNED_BYTE, image);
     });
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.NEAREST_MIPMAP_NEAREST);
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-    this.#fillLevels(texture);
-    this.textures.set(index, texture);
+    this.#fillLevels(texture, [width, height], across, layers, topLevel);
+    return texture;
   }
 
-  #fillLevels(texture) {
-    const { gl, across, mip: { program, uniforms } } = this, size = this.material.tileSize;
+  #fillLevels(texture, [width, height], across, layers, topLevel) {
+    const { gl, mip: { program, uniforms } } = this;
     const frame = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    gl.disable(gl.SCISSOR_TEST);
     gl.useProgram(program);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, texture);
+    gl.uniform1i(uniforms.uTiles, 0);
     gl.uniform1i(uniforms.uAcross, across);
-    for (let level = 0; level < this.topLevel; level++) {
-      const side = across * (size >> (level + 1));
+    for (let level = 0; level < topLevel; level++) {
       gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_BASE_LEVEL, level);
       gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAX_LEVEL, level);
-      gl.uniform1i(uniforms.uSize, size >> level);
-      gl.viewport(0, 0, side, side);
-      for (let layer = 0; layer < this.layers; layer++) {
+      gl.uniform2i(uniforms.uSize, width >> level, height >> level);
+      gl.viewport(0, 0, across * (width >> (level + 1)), across * (height >> (level + 1)));
+      for (let layer = 0; layer < layers; layer++) {
         gl.framebufferTextureLayer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, texture, level + 1, layer);
         gl.uniform1i(uniforms.uLayer, layer);
         gl.drawArrays(gl.TRIANGLES, 0, 3);
       }
     }
     gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_BASE_LEVEL, 0);
-    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAX_LEVEL, this.topLevel);
+    gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MAX_LEVEL, topLevel);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.deleteFramebuffer(frame);
   }
 
-  /** Draw what a camera sees; `coarse` pixels of the screen become one. */
-  draw(camera, lattice, look, coarse = 1) {
-    const { gl, material, plane: { program, uniforms: u } } = this, map = material.maps[look.map];
+  /**
+   * Draw what a camera sees; `coarse` pixels of the screen become one.
+   * @param shown [{plane: number, from, to}]: planes, and the share of the width that each takes
+   */
+  draw(camera, seed, look, shown, coarse = 1) {
+    const { gl } = this;
     const width = Math.max(1, Math.round(camera.width / coarse));
     const height = Math.max(1, Math.round(camera.height / coarse));
     if (this.canvas.width !== width || this.canvas.height !== height) {
@@ -123,25 +131,18 @@ class Renderer {
       this.canvas.height = height;
     }
     gl.viewport(0, 0, width, height);
-    gl.useProgram(program);
-    gl.activeTexture(gl.TEXTURE1);
-    gl.bindTexture(gl.TEXTURE_2D, this.table);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.textures.get(look.map));
-    gl.uniform1i(u.uTiles, 0);
-    gl.uniform1i(u.uTable, 1);
-    gl.uniform2ui(u.uFirst, ...lattice.first);
-    gl.uniform2ui(u.uMarks, ...lattice.marks);
-    gl.uniform4ui(u.uRadices, ...material.tiling.radices);
-    gl.uniform2ui(u.uOriginX, ...words(camera.cellX));
-    gl.uniform2ui(u.uOriginY, ...words(camera.cellY));
-    gl.uniform1i(u.uBaked, material.tiling.algorithm === "baked" ? 1 : 0);
-    gl.uniform1i(u.uRepeat, look.repeat ? material.repeat : -1);
-    gl.uniform1i(u.uSize, material.tileSize);
-    gl.uniform1i(u.uAcross, this.across);
-    gl.uniform1i(u.uTopLevel, this.topLevel);
-    gl.uniform4f(u.uMean, ...map.mean);
-    gl.uniform1i(u.uEncode, map.light ? 1 : 0);
+    gl.enable(gl.SCISSOR_TEST);
+    for (const { plane, from, to } of shown) {
+      const left = Math.round(from * width);
+      gl.scissor(left, 0, Math.round(to * width) - left, height);
+      const uniforms = this.planes[plane].use(camera, seed, look);
+      this.#look(uniforms, camera, look, coarse, width, height);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+    }
+  }
+
+  #look(u, camera, look, coarse, width, height) {
+    const { gl } = this;
     gl.uniform2f(u.uCenter, ...camera.drawnCenter);
     gl.uniform1f(u.uScale, coarse / camera.zoom);
     gl.uniform2f(u.uViewport, width, height);
@@ -152,7 +153,6 @@ class Renderer {
     gl.uniform1f(u.uPixelRatio, look.pixelRatio / coarse);
     gl.uniform3f(u.uSky, ...look.sky);
     gl.uniform3f(u.uBackdrop, ...look.backdrop);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
   /** The pixels drawn last, rows from the top: {width, height, data: RGBA bytes}. Read at once after draw. */
@@ -168,11 +168,72 @@ class Renderer {
   }
 }
 
+/** Tiles of one set, laid by its tiling. */
+class TilePlane {
+  constructor(renderer, size, { tiles }) {
+    const { gl } = renderer;
+    Object.assign(this, { renderer, gl, size, tiles });
+    this.across = Math.min(Math.max(1, Math.floor(LAYER_SIDE / size)), Math.ceil(Math.sqrt(tiles.count)));
+    this.topLevel = Math.floor(Math.log2(size));
+    if (this.across * size > gl.getParameter(gl.MAX_TEXTURE_SIZE) ||
+        Math.ceil(tiles.count / this.across ** 2) > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS)) {
+      throw new Error(`This device cannot hold ${tiles.count} tiles of ${size} texels.`);
+    }
+    this.lattice = new Lattice(tiles.tiling);
+    const { width, height, values } =
+      tiles.tiling.cells ?? tiles.tiling.indexOfCode ?? { width: 1, height: 1, values: new Uint16Array(1) };
+    this.table = renderer.table(width, height, gl.R16UI, gl.RED_INTEGER, gl.UNSIGNED_SHORT, values);
+    this.textures = new Map();
+  }
+
+  isLoaded(map) { return this.textures.has(map); }
+
+  async load(map) {
+    if (this.isLoaded(map)) return;
+    this.program ??= this.renderer.planeProgram(this.tiles.defines, ["lattice", "tiles"]);
+    const { tiles, light } = this.tiles.maps[map], size = [this.size, this.size];
+    this.textures.set(map, await this.renderer.images(tiles, size, light, this.across, this.topLevel));
+  }
+
+  /** Make this the plane that is drawn; gives its uniforms. */
+  use(camera, seed, look) {
+    const { gl, tiles: { tiling, maps, repeat }, lattice } = this, { program, uniforms: u } = this.program;
+    lattice.setSeed(seed);
+    gl.useProgram(program);
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, this.table);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.textures.get(look.map));
+    gl.uniform1i(u.uTiles, 0);
+    gl.uniform1i(u.uTable, 1);
+    gl.uniform2ui(u.uFirst, ...lattice.first);
+    gl.uniform2ui(u.uMarks, ...lattice.marks);
+    gl.uniform4ui(u.uRadices, ...tiling.radices);
+    gl.uniform2ui(u.uOriginX, ...words(camera.cellX));
+    gl.uniform2ui(u.uOriginY, ...words(camera.cellY));
+    gl.uniform1i(u.uBaked, tiling.algorithm === "baked" ? 1 : 0);
+    gl.uniform1i(u.uRepeat, look.repeat ? repeat : -1);
+    gl.uniform1i(u.uSide, this.size);
+    gl.uniform1i(u.uAcross, this.across);
+    gl.uniform1i(u.uTopLevel, this.topLevel);
+    gl.uniform4f(u.uMean, ...maps[look.map].mean);
+    gl.uniform1i(u.uEncode, maps[look.map].light ? 1 : 0);
+    return u;
+  }
+
+  /** What is at a cell, for the readout. */
+  describe(x, y, seed, look) {
+    this.lattice.setSeed(seed);
+    const tile = look.repeat ? this.tiles.repeat : this.lattice.tileAt(x, y);
+    return tile < 0 ? "no tile" : `tile ${tile}`;
+  }
+}
+
 function decodeImage(base64) {
   return new Promise((resolve, reject) => {
     const image = new Image();
     image.onload = () => resolve(image);
-    image.onerror = () => reject(new Error("A tile of this page cannot be decoded; the file may be damaged."));
+    image.onerror = () => reject(new Error("An image of this page cannot be decoded; the file may be damaged."));
     image.src = `data:image/png;base64,${base64}`;
   });
 }

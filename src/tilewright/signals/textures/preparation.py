@@ -159,15 +159,15 @@ def settle_normals(maps: Maps, kinds: dict[str, str], known: set[str]) -> dict[s
 
 
 def flatten_light(pixels: NDArray[Any]) -> NDArray[Any]:
-    """A map of color without the light that varies slowly over it.
+    """A map of color without what varies slowly over it, shadow as well as tint.
 
-    Every pixel is multiplied, in linear light, by the mean luminance over the low-passed one.
+    Every channel is multiplied, in linear light, by its mean over its low-passed self.
     """
     values = to_values(pixels, "color")
     colors = values[..., :-1] if values.shape[-1] in (2, 4) else values
-    light = np.maximum(colors.mean(axis=2), 0)
-    slow = gaussian_filter(light, LIGHT * min(light.shape), mode="reflect")
-    mean = float(light.mean(dtype=np.float64))
+    sigma = LIGHT * min(colors.shape[:2])
+    slow = gaussian_filter(np.maximum(colors, 0), (sigma, sigma, 0), mode="reflect")
+    mean = np.maximum(colors, 0).mean(axis=(0, 1), dtype=np.float64)
     gain = np.clip(mean / np.maximum(slow, mean / MOST_GAIN + 1e-12), 1 / MOST_GAIN, MOST_GAIN)
-    colors *= gain[..., np.newaxis].astype(np.float32)
+    colors *= gain.astype(np.float32)
     return from_values(values, "color", pixels)

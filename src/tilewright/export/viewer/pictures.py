@@ -1,0 +1,47 @@
+"""Pictures and their means as the page holds them."""
+
+import base64
+import io
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.signals.textures.kinds import to_linear
+
+
+def describe_map(name: str, shown: NDArray[np.uint8], light: bool) -> dict[str, Any]:
+    """A map's tiles, shape (T, H, W, channels), as the page holds them."""
+    return {
+        "name": name,
+        "light": light,
+        "mean": mean_color(shown, light),
+        "tiles": [encode_png(tile) for tile in shown],
+    }
+
+
+def mean_color(shown: NDArray[np.uint8], light: bool) -> list[float]:
+    """Mean of all tiles as the shader adds them up: linear where light, color multiplied by alpha."""
+    values = np.arange(256) / 255
+    table = to_linear(values) if light else values
+    channels = shown.shape[-1]
+    if channels in (1, 3):
+        color = np.array([table[shown[..., c]].mean() for c in range(channels)])
+        return _rounded([*np.resize(color, 3), 1.0])
+    alpha = values[shown[..., -1]]
+    color = np.array([(table[shown[..., c]] * alpha).mean() for c in range(channels - 1)])
+    return _rounded([*np.resize(color, 3), alpha.mean()])
+
+
+def _rounded(values: list[Any]) -> list[float]:
+    return [round(float(value), 6) for value in values]
+
+
+def encode_png(pixels: NDArray[np.uint8]) -> str:
+    """A picture, shape (h, w, channels), as PNG in base64."""
+    from PIL import Image
+
+    stream = io.BytesIO()
+    picture = Image.fromarray(pixels.squeeze(-1) if pixels.shape[-1] == 1 else pixels)
+    picture.save(stream, "PNG", compress_level=9)
+    return base64.b64encode(stream.getvalue()).decode()

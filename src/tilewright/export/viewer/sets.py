@@ -1,0 +1,85 @@
+"""A tile set and its tiling as the page's shader and scripts take them."""
+
+import base64
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.tiles import TileSet
+from tilewright.tilings import stochastic
+from tilewright.tilings.direct import recognize
+
+BAKED_CELLS = 256
+"""Side of the patch of cells shown where the page cannot evaluate the tiling itself."""
+_IN_SHADER = ("corners", "edges", "sums", "bits", "marked-edges", "marked-sums")
+_TABLE_WIDTH = 1024
+
+
+def describe_set(tiles: TileSet, seed: int, maps: list[dict[str, Any]]) -> dict[str, Any]:
+    """All the page needs to lay the tiles of the maps."""
+    tiling = describe_tiling(tiles, seed)
+    return {
+        "count": len(tiles),
+        "repeat": _repeatable(tiles),
+        "tiling": tiling,
+        "defines": _defines(tiling, tiles),
+        "maps": maps,
+    }
+
+
+def is_baked(described: dict[str, Any]) -> bool:
+    """Whether a described set is shown as a patch, with the seed it was written with."""
+    return bool(described["tiling"]["algorithm"] == "baked")
+
+
+def describe_tiling(tiles: TileSet, seed: int) -> dict[str, Any]:
+    """How the page finds tiles: an algorithm with its colors and, of incomplete sets, tiles by code.
+
+    The algorithms are those of `tilewright.direct`; ``"baked"`` is a stored patch of cells.
+    """
+    algorithm = recognize(tiles)
+    if algorithm not in _IN_SHADER:
+        side = BAKED_CELLS
+        cells = stochastic(tiles, side, side, seed).indices(0, 0, side, side)
+        return {"algorithm": "baked", "radices": [0] * 4, "cells": _table(cells)}
+    colors = dict(zip(tiles.shape.slots, tiles.colors, strict=True))
+    radices = [colors.get(slot, 1) for slot in ("N", "E")] + [0, colors.get("NW", 1)]
+    described: dict[str, Any] = {"algorithm": algorithm, "radices": radices}
+    if not tiles.is_complete:
+        index = np.zeros(int(np.prod(tiles.colors)), np.int64)
+        index[tiles.codes] = np.arange(len(tiles))
+        described["indexOfCode"] = _table(np.pad(index, (0, -len(index) % _TABLE_WIDTH))[np.newaxis])
+    return described
+
+
+def _defines(tiling: dict[str, Any], tiles: TileSet) -> str:
+    """What the shader is compiled for."""
+    algorithm = tiling["algorithm"]
+    marked = algorithm.startswith("marked")
+    lines = [f"#define ALGORITHM_{algorithm.upper().replace('-', '_')}"]
+    if algorithm != "baked":
+        lines += ["#define COMPLETE"] if tiles.is_complete else []
+        lines += ["#define HAS_EDGES"] if algorithm != "corners" else []
+        lines += ["#define HAS_CORNERS"] if marked or algorithm == "corners" else []
+        lines += [f"#define CORNER_STREAM {'uMarks' if marked else 'uFirst'}"]
+    return "\n".join(lines)
+
+
+def _table(values: NDArray[Any]) -> dict[str, Any]:
+    """Small whole numbers for a texture: rows of equal width."""
+    rows = values if values.shape[0] > 1 else values.reshape(-1, min(values.size, _TABLE_WIDTH))
+    return {
+        "width": rows.shape[1],
+        "height": rows.shape[0],
+        "values": base64.b64encode(rows.astype("<u2").tobytes()).decode(),
+    }
+
+
+def _repeatable(tiles: TileSet) -> int:
+    """The first tile that matches itself on every side, or 0 where none does."""
+    fits = np.ones(len(tiles), bool)
+    for joint in tiles.shape.joints:
+        for far, near in joint:
+            fits &= tiles.slots[:, far] == tiles.slots[:, near]
+    return int(np.argmax(fits))
