@@ -25,7 +25,7 @@ test: $(VENV)/.test-installed
 	sh .ci/install-gpu
 	sh .ci/install-node-tools
 	sh .ci/install-validators
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal
 
 bench: $(VENV)/.bench-installed $(VENV)/.test-installed
 	$(BIN)/python -m pytest benchmarks --benchmark-columns=min,median,max --benchmark-sort=name

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import tilewright as tw
-from tilewright.analysis.rivals import compare_textures, lattice_autocorrelation
+from tilewright.analysis.texture_comparison import compare_textures, lattice_autocorrelation
 from tilewright.errors import TilewrightError
 from tilewright.fields.contenders import side_by_side
 from tilewright.fields.gaussian import gaussianize

@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import time
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from tilewright.analysis.seams import cut_line_ratio
 from tilewright.cli.main import run
 from tilewright.files.map_stack import recognize_map
 from tilewright.signals.textures import TextureTiles, copy_from_sources
+from tilewright.signals.textures.mipmaps import layer_mipmaps
 from tilewright.signals.textures.preparation import find_green, flatten_light, match_sizes, mend_normals
 
 
@@ -88,7 +90,9 @@ def test_a_folder_of_maps(tmp_path, surface):
         ("albedo", "preview"),
     ):
         tw.write_image(tmp_path / f"{file}.png", maps[name])
-    found = tw.open_exemplar(tmp_path)  # the file says which way green points: nothing need be said
+    with pytest.warns(tw.TilewrightWarning, match=r"left out preview\.png"):
+        found = tw.open_exemplar(tmp_path)  # the file says which way green points: no note on that
+    (tmp_path / "preview.png").unlink()
     assert list(found.sources[0]) == ["albedo", "normal", "roughness"]
     assert found.kinds == {"albedo": "color", "normal": "normal-dx", "roughness": "roughness"}
     tw.write_image(tmp_path / "A_1K-PNG_NormalGL.png", maps["normal"])
@@ -129,8 +133,8 @@ def test_what_is_found_is_said(surface):
 
 def test_the_leaves_have_directx_normals(photograph):
     normals, height = photograph("leaves_normal"), photograph("leaves_height")
-    assert find_green(normals, height) == ("normal-dx", "the height map")
-    assert find_green(normals) == ("normal-dx", "its own slopes")
+    assert find_green(normals, height) == ("normal-dx", "the height map tells")
+    assert find_green(normals) == ("normal-dx", "its own slopes tell")
     mended = mend_normals(normals, "normal-dx", "normal")
     length = np.linalg.norm(mended / 127.5 - 1, axis=2)
     assert np.abs(length - 1).max() < 0.009
@@ -230,11 +234,21 @@ def test_maps_that_cannot_belong_together(surface):
         (dict(maps, normal=maps["albedo"]), "holds no normals: .* Name its kind"),
         (dict(maps, normal=broken), "'normal' is not finite at x=4, y=3"),
         (dict(maps, normal=maps["height"]), "one channel and holds no normals"),
+        ({"a\nb": maps["albedo"]}, "a name is a text"),
+        ({"\ud800": maps["albedo"]}, "a name is a text"),
+        ({"日" * 100: maps["albedo"]}, "a name is a text"),
     ):
         with pytest.raises(tw.TilewrightError, match=message):
             make(wrong)
     with pytest.raises(tw.TilewrightError, match="normal is 'up'; allowed are gl, dx"):
         tw.open_exemplar(maps, normal="up")
+    with pytest.raises(tw.TilewrightError, match="normal-dx by kinds and gl by normal"):
+        tw.open_exemplar(maps, normal="gl", kinds={"normal": "normal-dx"})
+    with pytest.raises(tw.TilewrightError, match="flatten must be True or False"):
+        tw.open_exemplar(maps, flatten="no")
+    for mask in (np.zeros((0, 5), bool), np.ones((80, 160), bool)):
+        with pytest.raises(tw.TilewrightError, match="the mask of source 0 has shape"):
+            tw.open_exemplar(maps, normal="gl", mask=mask)
     with pytest.raises(tw.TilewrightError, match="none of the maps holds normals"):
         tw.open_exemplar(maps["albedo"], normal="gl")
     with pytest.raises(tw.TilewrightError, match="kind of map 'height' is 'bumps'"):
@@ -279,8 +293,60 @@ def test_maps_can_be_added_later(surface):
         tw.add_maps(part, {"glow": maps["albedo"][:100, :100]})
     with pytest.raises(tw.TilewrightError, match="made from 1 photographs"):
         tw.add_maps(part, {"a": maps["albedo"]}, second={"a": maps["albedo"]})
-    with pytest.raises(tw.TilewrightError, match="no option 'seed'"):
-        tw.add_maps(part, {"a": maps["albedo"]}, seed=3)
+    # Maps that came later count nothing when the set is made again.
+    assert np.array_equal(tw.resynthesize(later).origins, part.origins)
+
+
+def test_two_photographs(surface, tmp_path):
+    maps = stack(surface)
+    turned = dict(reversed(maps.items()))  # another order, and green the other way
+    turned["normal"] = maps["normal"].copy()
+    turned["normal"][..., 1] = 255 - maps["normal"][..., 1]
+    for name, pixels in maps.items():
+        tw.write_image(tmp_path / f"a_{name}{'GL' if name == 'normal' else ''}.png", pixels)
+    with pytest.warns(tw.TilewrightWarning, match="'normal' of the second photograph is read as DirectX"):
+        found = tw.open_exemplar(tmp_path, second=turned)
+    assert list(found.sources[0]) == list(found.sources[1])
+    assert found.kinds["normal"] == "normal-gl"
+    assert np.abs(found.sources[0]["normal"].astype(int) - found.sources[1]["normal"]).max() <= 1
+    material = tw.texture_tiles(maps, second=turned, kinds=found.kinds, tile_size=16)
+    tw.save(material, tmp_path / "set")
+    assert tw.load(tmp_path / "set").maps.keys() == material.maps.keys()
+    both = tw.add_maps(material, {"e": maps["albedo"]}, second={"e": maps["albedo"]})
+    assert np.array_equal(both.maps["e"], material.maps["albedo"])
+
+
+def test_slopes_tell_where_the_height_map_does_not(surface):
+    maps = stack(surface)
+    other = np.random.default_rng(1).random((160, 160, 1)).astype(np.float32)
+    assert find_green(maps["normal"], other) == ("normal-gl", "its own slopes tell")
+
+
+def test_alpha_of_roughness_is_no_roughness(surface):
+    rough = np.dstack([stack(surface)["roughness"], np.full((160, 160, 1), 128, np.uint8)])
+    material = make(dict(stack(surface), roughness=rough))
+    for level in layer_mipmaps(material, "roughness").levels:
+        assert (level[..., 1] == 128).all()
+
+
+def test_the_same_seed_gives_the_same_bytes_of_files(surface, tmp_path):
+    material = make(stack(surface, np.float32))
+    for name in ("a", "b"):
+        tw.save(material, tmp_path / name)
+        time.sleep(1.1)  # a file that holds its time would differ
+    manifests = [(tmp_path / name / "tileset.json").read_bytes() for name in ("a", "b")]
+    assert manifests[0] == manifests[1]
+
+
+def test_normals_agree_at_borders_whatever_the_method(surface):
+    for method in ("nested", "ng", "squares"):
+        material = make(stack(surface), method=method)
+        slots = material.tiles.slots  # NE, SE, SW, NW
+        for tile in range(16):
+            for other in range(16):
+                if (slots[tile, 0], slots[tile, 1]) == (slots[other, 0], slots[other, 1]):
+                    ours, theirs = (material.maps["normal"][t][:, -1].astype(int) for t in (tile, other))
+                    assert np.abs(ours - theirs).max() <= 1
 
 
 @pytest.mark.filterwarnings("ignore:map 'normal' is read")

@@ -19,7 +19,6 @@ if TYPE_CHECKING:
         save_comparison,
     )
     from tilewright.analysis.report import MEANING, Report, analyze_texture
-    from tilewright.analysis.rivals import RIVAL_MEANING, compare_textures
     from tilewright.analysis.sample import Sample, lay_sample
     from tilewright.analysis.spacing import (
         RadialDistribution,
@@ -37,6 +36,7 @@ if TYPE_CHECKING:
         power_spectrum,
         spectrum_size,
     )
+    from tilewright.analysis.texture_comparison import METHOD_MEANING, compare_textures
 
 _HOME = {
     "MEANING": "report",
@@ -45,7 +45,7 @@ _HOME = {
     "Comparison": "comparison",
     "LatticeSpikes": "spectrum",
     "PointReport": "point_report",
-    "RIVAL_MEANING": "rivals",
+    "METHOD_MEANING": "texture_comparison",
     "RadialDistribution": "spacing",
     "Report": "report",
     "Sample": "sample",
@@ -58,7 +58,7 @@ _HOME = {
     "bond_order": "spacing",
     "border_density": "border",
     "compare": "comparison",
-    "compare_textures": "rivals",
+    "compare_textures": "texture_comparison",
     "comparison_sheet": "point_report",
     "coverage_radius": "spacing",
     "discrepancy": "spacing",
@@ -78,8 +78,8 @@ _HOME = {
 
 __all__ = [
     "MEANING",
+    "METHOD_MEANING",
     "POINT_MEANING",
-    "RIVAL_MEANING",
     "BorderDensity",
     "Comparison",
     "LatticeSpikes",

@@ -8,7 +8,7 @@ import typer
 from tilewright.cli.options import Folder, Json, LatticeSeed, Map, Seed, report
 from tilewright.errors import TilewrightValueError, check_choice
 
-_PICTURES = (".png", ".tif", ".tiff", ".exr")
+_PICTURES = (".png", ".tif", ".tiff", ".exr", ".jpg", ".jpeg", ".bmp", ".tga", ".webp")
 
 
 def command(
@@ -37,6 +37,7 @@ def command(
 
     Calls tilewright.save_for_engine(material, folder, to, seed=lattice_seed); with -o FILE.png, .tif or .exr
     tilewright.save_atlas(material, path, map=map) or tilewright.save_array(material, path, map=map).
+    Nothing here depends on --seed: it is the seed of construction.
     """
     from tilewright.export import TARGETS, save_array, save_atlas, save_for_engine
     from tilewright.files import load_texture

@@ -93,7 +93,13 @@ def command(
             _refuse_others(context, "--like cuts as the old set was cut", _LIKE)
             if not map:
                 raise TilewrightValueError("--like cuts further maps; give them with --map NAME=FILE")
-            material = add_maps(load_texture(like), parse_pairs("--map", map), **meaning)
+            added = parse_pairs("--map", map)
+            if second is not None and len(added) > 1:
+                raise TilewrightValueError(
+                    "--second is the second photograph of one map; give one --map at a time"
+                )
+            seconds_of = None if second is None else dict.fromkeys(added, str(second))
+            material = add_maps(load_texture(like), added, second=seconds_of, **meaning)
         else:
             if reject:
                 raise TilewrightValueError("--reject names patches of a set that exists; give it with --from")
@@ -132,7 +138,7 @@ def command(
 
 
 _FROM = {"from_", "output", "reject", "pick", "threads", "json"}
-_LIKE = {"like", "output", "map", "kind", "normal", "flatten", "json"}
+_LIKE = {"like", "output", "map", "second", "kind", "normal", "flatten", "json"}
 
 
 def _refuse_others(context: typer.Context, reason: str, allowed: set[str]) -> None:

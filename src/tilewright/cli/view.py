@@ -39,8 +39,8 @@ def command(
     check_page(output)
     material = load_texture(folder)
     with progress_bar() as progress:
-        rivals = compare_textures(material, seed=lattice_seed, progress=progress) if compare else None
-    save_viewer(material, output, seed=lattice_seed, compare=rivals)
+        compared = compare_textures(material, seed=lattice_seed, progress=progress) if compare else None
+    save_viewer(material, output, seed=lattice_seed, compare=compared)
     size = output.stat().st_size
-    figures = {"file": str(output), "bytes": size} | ({"methods": rivals.figures} if rivals else {})
+    figures = {"file": str(output), "bytes": size} | ({"methods": compared.figures} if compared else {})
     report(figures, json, f"{output}: {size / 1e6:.1f} MB")

@@ -12,6 +12,8 @@ from tilewright.files.whole import as_path, whole_file
 
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float32, "float": np.float32}
 _MOST_CHANNELS = 4
+NO_DATE = "1980:01:01 00:00:00"
+"""Written instead of the time, so that the same pixels give the same bytes."""
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -139,6 +141,7 @@ def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
     height, width, channels = pixels.shape
     spec = oiio.ImageSpec(width, height, channels, kind)
     spec.attribute("oiio:UnassociatedAlpha", 1)
+    spec.attribute("DateTime", NO_DATE)
     spec.attribute(
         "compression", {".exr": "zip", ".tif": "zip", ".tiff": "zip"}.get(path.suffix.lower(), "none")
     )

@@ -1,22 +1,27 @@
 """The maps of a scanned material: which file of a folder is which."""
 
 import re
+import warnings
 from pathlib import Path
 
-from tilewright.errors import TilewrightFileError
+from tilewright.errors import TilewrightFileError, TilewrightWarning
 from tilewright.files.whole import as_path
 
 # Map -> the words that ambientCG, Poly Haven, Substance and others end its file names with.
 WORDS = {
     "albedo": ("color", "col", "diff", "diffuse", "albedo", "basecolor", "base_color"),
-    "normal": ("normal", "nor", "nrm", "normal_gl", "nor_gl", "normalgl", "normal_opengl"),
+    "normal": (
+        *("normal", "nor", "nrm", "norm", "normalgl", "normal_gl", "nor_gl"),
+        *("normal_opengl", "normalogl", "normal_ogl"),
+    ),
     "normal-dx": ("normal_dx", "nor_dx", "normaldx", "normal_directx"),
     "roughness": ("roughness", "rough"),
     "glossiness": ("glossiness", "gloss", "smoothness"),
     "metalness": ("metalness", "metallic", "metal"),
     "height": ("displacement", "disp", "height", "depth"),
     "bump": ("bump",),
-    "ao": ("ambientocclusion", "ambient_occlusion", "ao", "occlusion"),
+    "ao": ("ambientocclusion", "ambient_occlusion", "ao", "occlusion", "occ"),
+    "cavity": ("cavity",),
     "arm": ("arm",),
     "orm": ("orm", "occlusionroughnessmetallic"),
     "opacity": ("opacity", "alpha", "mask"),
@@ -31,7 +36,8 @@ _SIZE = re.compile(r"\d+k|\d{3,5}(x\d{3,5})?|png|jpg|exr|tif|lod\d|\d+bit")
 def find_maps(folder: str | Path) -> dict[str, Path]:
     """The maps in a folder, albedo first, told by the ends of their file names.
 
-    Files of other names are left out. Where a material brings its normals both ways, OpenGL's are taken.
+    Files of other names are left out, which is said in a warning. Where a material brings its normals both
+    ways, OpenGL's are taken.
 
     Raises
     ------
@@ -44,9 +50,11 @@ def find_maps(folder: str | Path) -> dict[str, Path]:
     except OSError as error:
         raise TilewrightFileError(f"{folder} cannot be read: {(error.strerror or '').lower()}") from None
     found: dict[str, Path] = {}
+    left_out = []
     for file in files:
         name = recognize_map(file.stem)
         if name is None:
+            left_out.append(file.name)
             continue
         if name in found:
             raise TilewrightFileError(
@@ -62,6 +70,13 @@ def find_maps(folder: str | Path) -> dict[str, Path]:
             f"{folder} has no maps that can be told by name; their files end in _Color, _NormalGL, "
             "_Roughness, _diff_2k or the like: or name them with --map"
         )
+    if left_out:
+        shown = ", ".join(left_out[:4]) + (f" and {len(left_out) - 4} more" if len(left_out) > 4 else "")
+        warnings.warn(
+            f"left out {shown}: their names do not say which maps they are; name them with --map",
+            TilewrightWarning,
+            stacklevel=2,
+        )
     return {name: found[name] for name in WORDS if name in found}
 
 
@@ -69,7 +84,7 @@ def tell_green(file: Path) -> str | None:
     """What a file name says of its normals: ``"normal-gl"``, ``"normal-dx"``, or None."""
     if recognize_map(file.stem) == "normal-dx":
         return "normal-dx"
-    told = re.search(r"(normal|nor|nrm)[^a-z]?(gl|opengl)([^a-z]|$)", file.stem, re.IGNORECASE)
+    told = re.search(r"(normal|nor|nrm)[^a-z]?(gl|ogl|opengl)([^a-z]|$)", file.stem, re.IGNORECASE)
     return "normal-gl" if told else None
 
 

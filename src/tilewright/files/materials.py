@@ -62,8 +62,8 @@ def open_exemplar(
     """
     if second is None and second_mask is not None:
         raise TilewrightValueError("second_mask is for a second photograph; give second too")
-    photos = [_open_maps(photo, "photo")] + ([] if second is None else [_open_maps(second, "second")])
-    prepared, settled = _prepare(photos, _known_kinds(photo, photos[0], kinds, normal), flatten)
+    meaning = _Meaning(kinds, normal, flatten)
+    prepared, settled = _prepare([photo] if second is None else [photo, second], meaning)
     masks = [_open_mask(mask)] + ([] if second is None else [_open_mask(second_mask)])
     return Exemplar(
         prepared, [_fit_mask(m, p) for m, p in zip(masks, prepared, strict=True)], weights, settled
@@ -71,7 +71,13 @@ def open_exemplar(
 
 
 def add_maps(
-    material: TextureTiles, photo: Photo, *, second: Photo | None = None, **options: Any
+    material: TextureTiles,
+    photo: Photo,
+    *,
+    second: Photo | None = None,
+    kinds: dict[str, str] | None = None,
+    normal: str | None = None,
+    flatten: bool = False,
 ) -> TextureTiles:
     """Cut further maps of the same photograph as a material was cut.
 
@@ -83,13 +89,13 @@ def add_maps(
         New maps; one of a name that is there replaces it. Sizes may differ from the photograph's by powers
         of two.
     second : the same, where the material has two sources
-    **options
-        ``kinds``, ``normal`` and ``flatten``, as in `open_exemplar`.
+    kinds, normal, flatten
+        As in `open_exemplar`.
 
     Returns
     -------
     TextureTiles
-        The material with the maps.
+        The material with the maps. They count nothing in its recipe, so `resynthesize` makes the same cuts.
     """
     from tilewright.signals.textures.seams import copy_maps
 
@@ -99,48 +105,81 @@ def add_maps(
         raise TilewrightValueError(
             f"the material is made from {len(material.sources)} photographs; give maps for each of them"
         )
-    photos = [_open_maps(photo, "photo")] + ([] if second is None else [_open_maps(second, "second")])
     sizes = [next(iter(s.values())).shape[:2] for s in material.sources]
-    normal, kinds = options.pop("normal", None), options.pop("kinds", None)
-    known = _known_kinds(photo, photos[0], kinds, normal)
-    prepared, settled = _prepare(photos, known, options.pop("flatten", False), sizes)
-    if options:
-        raise TilewrightTypeError(f"add_maps() has no option {min(options)!r}")
+    meaning = _Meaning(kinds, normal, flatten)
+    prepared, settled = _prepare([photo] if second is None else [photo, second], meaning, sizes)
     new = Exemplar(prepared, None, None, settled)
     maps = copy_maps(new.sources, material.origins, new.kinds, material.tiles)
+    recipe = dict(material.recipe)
+    if isinstance(recipe.get("weights"), dict):
+        recipe["weights"] = dict.fromkeys(new.kinds, 0.0) | recipe["weights"]
     return replace(
         material,
+        recipe=recipe,
         maps=material.maps | maps,
         sources=tuple(old | added for old, added in zip(material.sources, new.sources, strict=True)),
         kinds=material.kinds | new.kinds,
     )
 
 
-def _known_kinds(
-    photo: Photo, maps: Mapping[str, NDArray[Any]], kinds: Mapping[str, str] | None, normal: str | None
-) -> dict[str, str]:
-    """Kinds that need no guess: told by a file's name, by ``normal``, by ``kinds``."""
-    guessed = check_kinds(kinds, maps)
-    normals = [name for name, kind in guessed.items() if is_normal(kind)]
-    if normal is not None:
-        check_choice("normal", normal, ("gl", "dx"))
-        if not normals:
-            raise TilewrightValueError(
-                f"normal is {normal!r}, and none of the maps holds normals: {', '.join(maps)}"
-            )
-        return dict(kinds or {}) | dict.fromkeys(normals, f"normal-{normal}")
-    files = {n: Path(p) for n, p in _list_maps(photo, "photo").items() if isinstance(p, (str, Path))}
-    told = {name: green for name in normals if name in files and (green := tell_green(files[name]))}
-    return told | dict(kinds or {})
+class _Meaning:
+    """What was said of the maps: their kinds, which way green points, whether light is to be flattened."""
+
+    def __init__(self, kinds: Mapping[str, str] | None, normal: str | None, flatten: bool) -> None:
+        if normal is not None:
+            check_choice("normal", normal, ("gl", "dx"))
+        if not isinstance(flatten, bool):
+            raise TilewrightTypeError(f"flatten must be True or False, not {flatten!r}")
+        self.kinds, self.normal, self.flatten = kinds, normal, flatten
+
+    def known(self, photo: Photo, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
+        """Kinds that need no guess: told by a file's name, by ``normal``, by ``kinds``."""
+        normals = [name for name, kind in check_kinds(self.kinds, maps).items() if is_normal(kind)]
+        files = {n: Path(p) for n, p in _list_maps(photo, "photo").items() if isinstance(p, (str, Path))}
+        told = {name: green for name in normals if name in files and (green := tell_green(files[name]))}
+        told |= {name: f"normal-{name[-2:]}" for name in normals if name.lower().endswith(("-dx", "-gl"))}
+        if self.normal is not None:
+            if not normals:
+                raise TilewrightValueError(
+                    f"normal is {self.normal!r}, and none of the maps holds normals: {', '.join(maps)}"
+                )
+            told |= dict.fromkeys(normals, f"normal-{self.normal}")
+        for name, kind in (self.kinds or {}).items():
+            if self.normal is not None and is_normal(kind) and kind != told[name]:
+                raise TilewrightValueError(
+                    f"map {name!r} is {kind} by kinds and {self.normal} by normal; say one"
+                )
+            told[name] = kind
+        return told
 
 
 def _prepare(
-    photos: list[dict[str, NDArray[Any]]],
-    known: dict[str, str],
-    flatten: bool,
-    sizes: list[tuple[int, int]] | None = None,
+    photos: list[Photo], meaning: _Meaning, sizes: list[tuple[int, int]] | None = None
 ) -> tuple[list[dict[str, NDArray[Any]]], dict[str, str]]:
     """The maps of every source in one size, normals whole, light even; and what each map holds."""
+    from tilewright.signals.textures.preparation import turn_green
+
+    prepared = []
+    kinds: dict[str, str] = {}
+    for number, photo in enumerate(photos):
+        maps = _open_maps(photo, ("photo", "second")[number])
+        maps, found = _prepare_one(photo, maps, meaning, sizes[number] if sizes else None, number)
+        # The second photograph's normals are turned where they point the other way than the first's.
+        for name, kind in found.items():
+            if is_normal(kind) and kinds.setdefault(name, kind) != kind:
+                maps[name] = turn_green(maps[name])
+            kinds.setdefault(name, kind)
+        prepared.append(maps)
+    return prepared, kinds
+
+
+def _prepare_one(
+    photo: Photo,
+    maps: dict[str, NDArray[Any]],
+    meaning: _Meaning,
+    size: tuple[int, int] | None,
+    number: int,
+) -> tuple[dict[str, NDArray[Any]], dict[str, str]]:
     from tilewright.signals.textures.preparation import (
         flatten_light,
         match_sizes,
@@ -148,20 +187,15 @@ def _prepare(
         settle_normals,
     )
 
-    kinds = check_kinds(known, photos[0])
-    prepared = []
-    for number, maps in enumerate(photos):
-        maps = match_sizes(maps, dict.fromkeys(maps, "data") | kinds, sizes[number] if sizes else None)
-        for name, pixels in maps.items():
-            if is_normal(kinds.get(name, "")):
-                maps[name] = mend_normals(pixels, kinds[name], name)
-            elif flatten and kinds.get(name) == "color":
-                maps[name] = flatten_light(pixels)
-        if number == 0:
-            told = {name for name in maps if name in known or name.endswith(("-dx", "-gl"))}
-            kinds = settle_normals(maps, kinds, told)
-        prepared.append(maps)
-    return prepared, kinds
+    known = meaning.known(photo, maps)
+    kinds = check_kinds(known, maps)
+    maps = match_sizes(maps, kinds, size)
+    for name, kind in kinds.items():
+        if is_normal(kind):
+            maps[name] = mend_normals(maps[name], kind, name)
+        elif meaning.flatten and kind == "color":
+            maps[name] = flatten_light(maps[name])
+    return maps, settle_normals(maps, kinds, set(known), " of the second photograph" if number else "")
 
 
 def texture_tiles(
@@ -248,9 +282,12 @@ def _open(picture: Picture, what: str) -> NDArray[Any]:
 def _fit_mask(mask: NDArray[np.bool_] | None, maps: Mapping[str, NDArray[Any]]) -> NDArray[np.bool_] | None:
     """A mask at the size of the maps, where it was made for smaller ones."""
     height, width = next(iter(maps.values())).shape[:2]
-    if mask is None or mask.ndim != 2 or height % mask.shape[0] or width % mask.shape[1]:
+    if mask is None or mask.ndim != 2 or not mask.size:
         return mask
-    return mask.repeat(height // mask.shape[0], axis=0).repeat(width // mask.shape[1], axis=1)
+    times = height // mask.shape[0]
+    if (mask.shape[0] * times, mask.shape[1] * times) != (height, width):
+        return mask  # which is refused with both sizes named
+    return mask.repeat(times, axis=0).repeat(times, axis=1)
 
 
 def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:

@@ -85,12 +85,16 @@ def check_file(path: Path) -> Path:
         raise TilewrightFileError(f"{path} is a folder; a file name is expected")
     if real.exists() and not real.is_file():
         raise TilewrightFileError(f"{path} is not a plain file; choose another name")
+    _check_outside(path, real)
+    return real
+
+
+def _check_outside(path: Path, real: Path) -> None:
     for folder in real.parents[:2]:
         if (folder / MANIFEST).exists():
             raise TilewrightFileError(
                 f"{path} lies in the tile-set folder {folder}; choose a place outside it"
             )
-    return real
 
 
 @contextmanager
@@ -119,6 +123,7 @@ def check_folder(path: Path, objection: Callable[[Path], str]) -> Path:
         real = _real(path)
         if real.exists() and not real.is_dir():
             raise TilewrightFileError(f"{path} is a file; a folder is expected")
+        _check_outside(path, real)
         if real.is_dir() and any(real.iterdir()) and (reason := objection(real)):
             raise TilewrightFileError(f"{path} {reason}; choose a new folder")
         if not os.access(real.parent, os.W_OK):

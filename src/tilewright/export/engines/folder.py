@@ -24,14 +24,16 @@ from tilewright.tilings import packing
 FACTS = "tilewright.json"
 """The file that makes a folder one of ours, and lists the others."""
 _SLOTS = {
-    "emission": r"emi(ss|t)|glow",
+    "emission": r"(^|[^a-z])emi(ss|t)|glow",
     "metallic": r"metal",
     "occlusion": r"occlusion|(^|[^a-z])ao([^a-z]|$)",
     "height": r"height|displace|(^|[^a-z])disp([^a-z]|$)|bump|depth",
     "opacity": r"opacity|alpha|mask",
 }
+_TAKEN = ("material", "example", "tilewright", "project", "index", "package", "places", "readme")
+"""Files of the targets themselves."""
 _WITH_LEVELS = "Mip levels are in the files, to the last: keep them, and filter trilinear or anisotropic."
-_ODD_SIZE = " This tile size is no power of two: lines may show from afar."
+_ODD_SIZE = " This tile size does not halve far: lines may show from afar."
 _WITHOUT_LEVELS = (
     "The files hold no mip levels: renderers that take many samples a pixel need none. Made by the engine, "
     "they "
@@ -102,10 +104,12 @@ class Kit:
         return [_pad(_narrow(level, kind), kind == "color") for level in levels], srgb
 
     def picture(self, map: str) -> NDArray[Any]:
-        """Level 0 of an atlas, of the map's own type and channels; green points where the target wants it."""
+        """Level 0 of an atlas, of the map's own type; two channels of data get a third of zeros."""
         kind, level = self.material.kinds[map], self.mipmaps(map).levels[0][0]
         if is_normal(kind):
-            return _point_green(level, kind != f"normal-{self.green}", is_signed(level))
+            level = _point_green(level, kind != f"normal-{self.green}", is_signed(level))
+        if level.shape[-1] == 2 and kind != "color":  # a picture of two channels is gray with alpha
+            level = np.concatenate([level, np.zeros_like(level[..., :1])], axis=-1)
         return level
 
     def lookup(self, dialect: str) -> str:
@@ -172,8 +176,8 @@ def find_slots(material: TextureTiles) -> dict[str, str]:
         slot = next((s for s, names in _SLOTS.items() if re.search(names, name, re.IGNORECASE)), "")
         if is_normal(kind):
             slot = "normal"
-        elif kind == "roughness":
-            slot = "roughness"
+        elif kind in ("roughness", "height"):
+            slot = kind
         elif kind == "color" and slot != "emission":
             slot = "color"
         if slot:
@@ -186,6 +190,7 @@ def file_names(material: TextureTiles, suffix: str) -> dict[str, str]:
     names: dict[str, str] = {}
     for map in material.maps:
         stem = re.sub(r"[^A-Za-z0-9]+", "_", map).strip("_").lower() or "map"
+        stem += "_map" if stem in _TAKEN else ""
         while f"{stem}{suffix}" in names.values():
             stem += "_"
         names[map] = f"{stem}{suffix}"
@@ -197,7 +202,7 @@ def find_objection(folder: Path) -> str:
     try:
         facts = json.loads((folder / FACTS).read_text(encoding="utf-8"))
         ours = {FACTS, *map(str, facts["files"])}
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return f"holds other things and no {FACTS} of an export"
     for path in sorted(folder.rglob("*")):
         name = path.relative_to(folder).as_posix()
@@ -223,9 +228,10 @@ def _readme(
     kit: Kit, name: str, checked: str, steps: Sequence[str], files: dict[str, str], mipmaps: bool
 ) -> str:
     material, table = kit.material, memory(kit)
-    even = kit.form == "array" or material.tile_size & (material.tile_size - 1) == 0
+    size = material.tile_size
+    even = size % kit.gutter == 0 if kit.gutter else size & (size - 1) == 0
     deep = any(pixels.dtype != np.uint8 for pixels in material.maps.values())
-    size, photograph = material.tile_size, next(iter(material.sources[0].values())).shape[1]
+    photograph = next(iter(material.sources[0].values())).shape[1]
 
     def total(*formats: str) -> str:
         return f"{sum(row[f] for row in table.values() for f in formats if f in row) / 2**20:.1f} MiB"
@@ -299,8 +305,12 @@ def _narrow(level: NDArray[Any], kind: str) -> NDArray[Any]:
             color = slice(0, values.shape[-1] - (values.shape[-1] in (2, 4)))
             values[..., color] = to_linear(values[..., color])
         level = values
-    most = np.finfo(np.float16).max
-    return np.clip(level, -most, most).astype(np.float16)
+    most, largest = float(np.finfo(np.float16).max), float(np.abs(level).max())
+    if largest > most:
+        raise TilewrightValueError(
+            f"a map reaches {largest:.6g}, and the half floats it is exported as {most:.0f}; scale it down"
+        )
+    return level.astype(np.float16)
 
 
 def pad_levels(levels: Levels) -> Levels:

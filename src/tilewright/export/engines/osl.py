@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from tilewright.errors import TilewrightFileError
 from tilewright.export.engines.folder import Kit, file_names
 from tilewright.export.engines.lookup import fill
+from tilewright.files.images import NO_DATE
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -44,6 +45,7 @@ def write_tx(path: Path, levels: list[NDArray[Any]]) -> None:
         spec = oiio.ImageSpec(columns, rows, channels, "uint8" if level.dtype == np.uint8 else "float")
         spec.tile_width = spec.tile_height = 64
         spec.attribute("compression", "zip")
+        spec.attribute("DateTime", NO_DATE)
         spec.attribute("textureformat", "Plain Texture")
         spec.attribute("wrapmodes", "periodic,periodic")
         mode = "AppendSubimage" if number else "Create"

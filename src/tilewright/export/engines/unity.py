@@ -42,7 +42,8 @@ def write(folder: Path, kit: Kit) -> None:
         [
             "Copy the folder into Assets (Unity 2021.2 or later, Universal Render Pipeline), right-click "
             "it, Create, "
-            "Tilewright Material: Tiles is the number of tiles across one unit of UV. Height is not wired.",
+            "Tilewright Material: Tiles is the number of tiles across one unit of UV. "
+            "Height and opacity are not wired.",
             "Shader Graph: a Custom Function node of type File with Tilewright.hlsl; functions Tilewright "
             "and "
             "TilewrightNormal. In the Built-in pipeline include Tilewright.hlsl yourself.",

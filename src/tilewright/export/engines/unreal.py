@@ -34,7 +34,7 @@ def write(folder: Path, kit: Kit) -> None:
         [
             "In the editor: Tools, Execute Python Script, make_material.py. It imports the maps into "
             "/Game/Tilewright with their mip levels and makes M_Tilewright, with a parameter TilesPerUV. "
-            "Height is not wired.",
+            "Height and opacity are not wired.",
             "By hand: paste custom_node.hlsl into a Custom node (its head names the pins), and feed UVs, "
             "DDX and DDY "
             "of Texture Sample nodes whose mip value mode is Derivative.",

@@ -61,6 +61,8 @@ class Exemplar:
             raise TilewrightValueError("an exemplar needs at least one source with at least one map")
         checked = tuple(_check_source(n, source) for n, source in enumerate(sources))
         _check_alike(checked)
+        # All in the order of the first: features of a map stand at the same place for each source.
+        checked = tuple({name: source[name] for name in checked[0]} for source in checked)
         given = list(masks) if masks is not None else [None] * len(checked)
         if len(given) != len(checked):
             raise TilewrightValueError(f"{len(given)} masks were given for {len(checked)} sources")
@@ -76,9 +78,10 @@ def check_kinds(given: Any, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
     if given is not None and not isinstance(given, Mapping):
         raise TilewrightTypeError(f"kinds must be a dict of map name to kind, not {given!r}")
     for name in maps:
-        if not isinstance(name, str) or not 1 <= len(name) <= LONGEST_NAME:
+        if not _is_name(name):
             raise TilewrightValueError(
-                f"a map is named {str(name)[:80]!r}; a name is a text of 1 to {LONGEST_NAME} characters"
+                f"a map is named {str(name)[:80]!a}; a name is a text of 1 to {LONGEST_NAME} bytes, of "
+                "letters, digits and other characters that can be printed"
             )
     kinds = {name: guess_kind(name) for name in maps}
     for name, kind in (given or {}).items():
@@ -90,6 +93,11 @@ def check_kinds(given: Any, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
                 f"map {name!r} has one channel and holds no normals; name its kind, one of {', '.join(KINDS)}"
             )
     return kinds
+
+
+def _is_name(name: Any) -> bool:
+    """Whether a map can be called this, and a folder for it too."""
+    return isinstance(name, str) and name.isprintable() and 1 <= len(name.encode()) <= LONGEST_NAME
 
 
 def _check_weights(given: Any, kinds: dict[str, str]) -> dict[str, float]:
@@ -120,7 +128,8 @@ def check_map(what: str, given: Any) -> NDArray[Any]:
     """Pixels a texture can be made from, shape (h, w, channels); ``what`` they are, for messages."""
     pixels = np.asarray(given)
     if pixels.dtype == np.float64 or pixels.dtype == np.float16:
-        pixels = pixels.astype(np.float32)
+        with np.errstate(over="ignore"):  # what does not fit is refused below
+            pixels = pixels.astype(np.float32)
     if pixels.dtype not in (np.uint8, np.uint16, np.float32):
         raise TilewrightTypeError(f"{what} has type {pixels.dtype}; allowed are uint8, uint16, float32")
     if pixels.ndim == 2:

@@ -12,26 +12,45 @@ normals in tangent space with green up (OpenGL) or down (DirectX)."""
 
 Values = NDArray[np.float32]
 
-_NORMAL = re.compile(r"(^|[^a-z])(normal|nor|nrm|norm)([^a-z]|$)|normal", re.IGNORECASE)
-_DIRECTX = re.compile(r"(normal|nor|nrm|norm)[^a-z]?(dx|directx|d3d)", re.IGNORECASE)
-_ROUGHNESS = re.compile(r"rough|(^|[^a-z])rgh([^a-z]|$)", re.IGNORECASE)
-_HEIGHT = re.compile(r"height|depth|displace|(^|[^a-z])disp([^a-z]|$)|bump", re.IGNORECASE)
-_DATA = re.compile(
-    r"metal|occlusion|(^|[^a-z])(ao|arm|orm)([^a-z]|$)"
-    r"|mask|gloss|smoothness|specular|opacity|alpha|thickness|index",
-    re.IGNORECASE,
-)
+_WORDS = {
+    "normal-gl": ("normal", "normals", "normalgl", "normalogl", "nor", "nrm", "norm", "ogl"),
+    "normal-dx": ("normaldx",),
+    "roughness": ("roughness", "rough", "rgh"),
+    "height": ("height", "depth", "displacement", "displace", "disp", "bump", "elevation"),
+    "data": (
+        *(
+            "metalness",
+            "metallic",
+            "metal",
+            "ambientocclusion",
+            "occlusion",
+            "occ",
+            "ao",
+            "arm",
+            "orm",
+            "rma",
+            "mra",
+        ),
+        *("mask", "gloss", "glossiness", "smoothness", "specular", "opacity", "alpha", "thickness", "index"),
+        *("cavity", "curvature"),
+    ),
+    "color": ("albedo", "color", "colour", "col", "diffuse", "diff", "basecolor", "emissive", "emission"),
+}
+"""Words of map names, the last of which tells."""
+_DIRECTX = ("dx", "directx", "d3d")
 
 
 def guess_kind(name: str) -> str:
-    """What a map of this name most likely holds."""
-    if _NORMAL.search(name):
-        return "normal-dx" if _DIRECTX.search(name) else "normal-gl"
-    if _ROUGHNESS.search(name):
-        return "roughness"
-    if _HEIGHT.search(name):
-        return "height"
-    return "data" if _DATA.search(name) else "color"
+    """What a map of this name most likely holds: ``rough_wood_albedo`` is color, ``NormalDX`` normals."""
+    spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
+    words = re.findall("[a-z]+", spaced.lower())
+    for word in reversed(words):
+        for kind, known in _WORDS.items():
+            # Longer words are also known by their beginning: heightmap, displacementmap.
+            if word in known or any(len(k) > 3 and word.startswith(k) for k in known):
+                directx = kind == "normal-gl" and any(w in _DIRECTX for w in words)
+                return "normal-dx" if directx or word == "normaldx" else kind
+    return "color"
 
 
 def is_normal(kind: str) -> bool:
@@ -50,7 +69,9 @@ def to_values(pixels: NDArray[Any], kind: str) -> Values:
     if kind == "color":
         return _premultiplied(to_linear(scaled) if pixels.dtype.kind == "u" else scaled, scaled)
     if kind == "roughness":
-        return np.maximum(scaled, 0) ** 4
+        rough = _without_alpha(scaled)
+        rough[...] = np.maximum(rough, 0) ** 4
+        return scaled
     if is_normal(kind):
         if not is_signed(pixels):
             scaled[..., :3] = 2 * scaled[..., :3] - 1
@@ -66,7 +87,9 @@ def from_values(values: Values, kind: str, like: NDArray[Any]) -> NDArray[Any]:
         if values.shape[-1] in (2, 4):
             shown[..., -1] = values[..., -1]
     elif kind == "roughness":
-        shown = values**0.25
+        shown = values.copy()
+        rough = _without_alpha(shown)
+        rough[...] = rough**0.25
     elif is_normal(kind):
         shown = values.copy()
         shown[..., :3] = unit(values[..., :3])
@@ -90,7 +113,9 @@ def unit(vectors: Values) -> Values:
 
 def is_signed(pixels: NDArray[Any]) -> bool:
     """Whether a map of normals holds -1 to 1, as float maps may, and not 0 to 1."""
-    return pixels.dtype.kind == "f" and abs(float(pixels[..., :2].mean(dtype=np.float64))) < 0.25
+    if pixels.dtype.kind != "f":
+        return False
+    return bool(pixels.min() < 0) or abs(float(pixels[..., :2].mean(dtype=np.float64))) < 0.25
 
 
 def to_linear(encoded: NDArray[Any]) -> Values:
@@ -109,6 +134,11 @@ def _scaled(pixels: NDArray[Any]) -> Values:
     if pixels.dtype.kind == "f":
         return pixels.astype(np.float32)
     return pixels.astype(np.float32) / np.float32(np.iinfo(pixels.dtype).max)
+
+
+def _without_alpha(values: Values) -> Values:
+    """A view of all channels but the last of 2 or 4."""
+    return values[..., :-1] if values.shape[-1] in (2, 4) else values
 
 
 def _premultiplied(light: Values, scaled: Values) -> Values:

@@ -144,7 +144,9 @@ def _encode(material: TextureTiles, name: str, base: NDArray[Any], values: Any, 
     clean, all_same = 0, True
     for k, (level, same) in enumerate(values(name)):
         if bumps is not None:
-            level = level + _spread(next(bumps)[0])
+            level = level.copy()
+            rough = level[..., :-1] if level.shape[-1] in (2, 4) else level
+            rough += _spread(next(bumps)[0])
         all_same = all_same and same
         clean = k if all_same else clean
         levels.append(from_values(level, kind, pixels) if k else base)

@@ -117,16 +117,17 @@ def find_green(normals: NDArray[Any], height: NDArray[Any] | None = None) -> tup
     vectors = to_values(normals, "normal-gl")[..., :3]
     across = -np.divide(vectors[..., 0], np.maximum(vectors[..., 2], 0.1) if vectors.shape[-1] > 2 else 1)
     down = np.divide(vectors[..., 1], np.maximum(vectors[..., 2], 0.1) if vectors.shape[-1] > 2 else 1)
+    evidence = []
     if height is not None:
         south, east = np.gradient(height.astype(np.float32).mean(axis=2))
-        agree = _correlation(down, south) * np.sign(_correlation(across, east))
-        told_by = "the height map"
-    else:
-        agree = _correlation(np.gradient(across, axis=0), np.gradient(down, axis=1))
-        told_by = "its own slopes"
-    if abs(agree) < _TELLING:
-        return None, told_by
-    return ("normal-gl" if agree > 0 else "normal-dx"), told_by
+        told = _correlation(down, south) * np.sign(_correlation(across, east))
+        evidence.append((told, "the height map tells"))
+    told = _correlation(np.gradient(across, axis=0), np.gradient(down, axis=1))
+    evidence.append((told, "its own slopes tell"))
+    for agree, teller in evidence:
+        if abs(agree) >= _TELLING:
+            return ("normal-gl" if agree > 0 else "normal-dx"), teller
+    return None, " and ".join(teller for _, teller in evidence).replace(" tells", "").replace(" tell", "")
 
 
 def _correlation(a: NDArray[Any], b: NDArray[Any]) -> float:
@@ -135,10 +136,10 @@ def _correlation(a: NDArray[Any], b: NDArray[Any]) -> float:
     return float((a * b).sum(dtype=np.float64)) / scale if scale > 0 else 0.0
 
 
-def settle_normals(maps: Maps, kinds: dict[str, str], known: set[str]) -> dict[str, str]:
+def settle_normals(maps: Maps, kinds: dict[str, str], known: set[str], of: str = "") -> dict[str, str]:
     """Kinds in which the green of every map of normals is settled, and said aloud where it was found.
 
-    ``known`` names the maps whose kind was given.
+    ``known`` names the maps whose kind was given; ``of`` which photograph they belong to.
     """
     settled = dict(kinds)
     heights = [maps[name] for name, kind in kinds.items() if kind == "height"]
@@ -148,14 +149,22 @@ def settle_normals(maps: Maps, kinds: dict[str, str], known: set[str]) -> dict[s
         found, told_by = find_green(maps[name], heights[0] if heights else None)
         settled[name] = found or kind
         shown = "OpenGL (green up)" if settled[name] == "normal-gl" else "DirectX (green down)"
-        reason = f"as {told_by} tells" if found else "as neither heights nor its own slopes tell"
+        reason = f"as {told_by}" if found else f"for want of better: {told_by} did not tell"
         warnings.warn(
-            f"map {name!r} is read as {shown}, {reason.replace('slopes tells', 'slopes tell')}; say so with "
+            f"map {name!r}{of} is read as {shown}, {reason}; say so with "
             f"normal={settled[name].removeprefix('normal-')!r}, or the other",
             TilewrightWarning,
             stacklevel=4,
         )
     return settled
+
+
+def turn_green(pixels: NDArray[Any]) -> NDArray[Any]:
+    """Normals of the other convention."""
+    turned = pixels.copy()
+    white = np.iinfo(pixels.dtype).max if pixels.dtype.kind == "u" else 0 if is_signed(pixels) else 1
+    turned[..., 1] = white - pixels[..., 1]
+    return turned
 
 
 def flatten_light(pixels: NDArray[Any]) -> NDArray[Any]:

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.signals.textures.kinds import Values, from_values, is_normal, to_values, unit
+from tilewright.errors import Progress
+from tilewright.signals.textures.kinds import Values, from_values, is_normal, to_values
 from tilewright.signals.textures.sharing import Rim, Shared, with_gutters
 from tilewright.tiles import TileSet
 
@@ -18,13 +19,17 @@ Sources = tuple[dict[str, NDArray[Any]], ...]
 
 REACH = 1 / 12
 """How far from a cut heights are changed, in tiles."""
-ROUNDS = 2.0
-"""Rounds of relaxation, over the square of that reach in pixels."""
+ROUNDS = 6
+"""Rounds of relaxation for each pixel of that reach."""
 _STEPS = ((0, 1), (0, -1), (1, 0), (-1, 0))
 
 
 def copy_maps(
-    sources: Sources, origins: NDArray[np.uint16], kinds: dict[str, str], tiles: TileSet
+    sources: Sources,
+    origins: NDArray[np.uint16],
+    kinds: dict[str, str],
+    tiles: TileSet,
+    progress: Progress | None = None,
 ) -> dict[str, NDArray[Any]]:
     """Every map of a material: copied from the sources along ``origins``, and closed where its kind needs it.
 
@@ -43,8 +48,10 @@ def copy_maps(
     if mended:
         cuts = Cuts(sources, origins, Shared(tiles))
         for name, kind in mended.items():
-            mend = _close_heights if kind == "height" else _blend_normals
-            maps[name] = mend(maps[name], cuts, name, kind)
+            if kind == "height":
+                maps[name] = _close_heights(maps[name], cuts, name, progress)
+            else:
+                maps[name] = _blend_normals(maps[name], cuts, name, kind)
     return maps
 
 
@@ -98,19 +105,21 @@ def _blend_normals(pixels: NDArray[Any], cuts: Cuts, name: str, kind: str) -> ND
         touched |= crossed
     count = 1 + np.float32(0.5) * sum(c.astype(np.float32) for c in cuts.crossed.values())
     vectors /= np.asarray(count)[..., np.newaxis]
-    vectors[..., :3] = unit(vectors[..., :3])
+    settled, _ = cuts.shared.settle(vectors, Rim(pixels.shape[1], 0, None))
+    touched |= (settled != vectors).any(axis=3)
     blended = pixels.copy()
-    blended[touched] = from_values(vectors, kind, pixels)[touched]
+    blended[touched] = from_values(settled, kind, pixels)[touched]
     return blended
 
 
-def _close_heights(pixels: NDArray[Any], cuts: Cuts, name: str, kind: str) -> NDArray[Any]:
+def _close_heights(pixels: NDArray[Any], cuts: Cuts, name: str, progress: Progress | None) -> NDArray[Any]:
     """Heights near cuts moved so that slopes go on over them (Perez et al. 2003, section 2, within a band).
 
     A correction is sought that jumps at cuts by what the heights there jump too much, and is smooth
-    elsewhere: at each pixel the mean of its neighbors', relaxed until it settles.
+    elsewhere: at each pixel the mean of its neighbors', relaxed until it settles (Chebyshev's semi-iteration,
+    so that the rounds grow with the reach and not with its square).
     """
-    sources = [to_values(s[name], kind) for s in cuts.sources]
+    sources = [to_values(s[name], "height") for s in cuts.sources]
     wanted = np.zeros(pixels.shape, np.float32)
     for step, crossed in cuts.crossed.items():
         here, there = cuts.here[crossed], cuts.beyond[step][crossed]
@@ -120,15 +129,21 @@ def _close_heights(pixels: NDArray[Any], cuts: Cuts, name: str, kind: str) -> ND
     n = pixels.shape[1]
     reach = max(2, round(REACH * n))
     band = _band(cuts, reach)
-    correction = np.zeros(pixels.shape, np.float32)
+    correction, before = np.zeros((2, *pixels.shape), np.float32)
     rim = Rim(n, 0, None)
-    for _ in range(round(ROUNDS * reach * reach)):
+    slowest = np.cos(np.pi / (4 * reach))  # how much of the smoothest error a plain round leaves
+    push, rounds = 1.0, ROUNDS * reach
+    for done in range(rounds):
+        if progress is not None:
+            progress(done, rounds, f"closing {name}")
         around = with_gutters(correction, 1, cuts.shared)
         total = wanted + sum(_shift(around, step) for step in _STEPS)
-        correction = cuts.shared.settle(np.where(band, total / 4, 0), rim)[0]
+        relaxed = cuts.shared.settle(np.where(band, total / 4, 0), rim)[0]
+        push = 1 / (1 - slowest**2 / 2) if done == 1 else 1 / (1 - slowest**2 * push / 4) if done else 1.0
+        correction, before = before + np.float32(push) * (relaxed - before), correction
     closed = pixels.copy()
     moved = np.broadcast_to(band, pixels.shape)
-    closed[moved] = from_values(to_values(pixels, kind) + correction, kind, pixels)[moved]
+    closed[moved] = from_values(to_values(pixels, "height") + correction, "height", pixels)[moved]
     return closed
 
 

@@ -147,7 +147,7 @@ def synthesize(
         {name: _to_source(sheet, place) for name, place in ledger.picked.items()},
         {n: [_to_source(sheet, p) for p in ps] for n, ps in ledger.rejected.items()},
     )
-    maps = copy_maps(exemplar.sources, origins, exemplar.kinds, tiles)
+    maps = copy_maps(exemplar.sources, origins, exemplar.kinds, tiles, progress)
     return TextureTiles(
         tiles, maps, exemplar.sources, origins, recipe.to_dict(), exemplar.masks, exemplar.kinds
     )

@@ -25,7 +25,8 @@ class TextureTiles:
         The exemplars: one dict for each source, with the same map names.
     origins : array, shape (T, H, W, 3), uint16
         The source pixel each tile pixel was copied from: (source number, y, x). By construction
-        ``maps[name][t, i, j] == sources[s][name][y, x]``.
+        ``maps[name][t, i, j] == sources[s][name][y, x]``, but for normals and heights near cuts, which
+        are closed there.
     recipe : dict
         Method, seed, parameters and the places of all patches: what is needed to make the set again.
         Plain JSON values.

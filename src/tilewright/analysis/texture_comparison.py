@@ -14,7 +14,7 @@ from tilewright.signals.textures import TextureTiles
 
 Gray = NDArray[np.float32]
 
-RIVAL_MEANING = {
+METHOD_MEANING = {
     "repetition": "autocorrelation at the method's own lattice lags, less the photograph's: 1 all, 0 none",
     "fine_contrast": "contrast of the finest details over the photograph's",
     "coarse_contrast": "contrast of details about eight times as large over the photograph's",
