@@ -2,12 +2,16 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, uniform_filter
 
 from tilewright.signals.textures.exemplar import Exemplar
+
+MOST_FEATURES = 4
+"""Numbers by which pixels are compared."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -17,7 +21,8 @@ class Sheet:
     Attributes
     ----------
     features : float32 array, shape (rows, columns, k)
-        All channels of all maps, scaled so that their variances add up to 1.
+        All channels of all maps, scaled so that their variances add up to 1; of more than `MOST_FEATURES`
+        channels their strongest principal components.
     usable : bool array, shape (rows, columns)
         Pixels that may be copied.
     tops : tuple of int
@@ -95,7 +100,8 @@ def make_sheet(exemplar: Exemplar) -> Sheet:
     features = np.zeros((*shape, channels), np.float32)
     usable = np.zeros(shape, bool)
     for top, (h, w), maps, mask in zip(tops, sizes, exemplar.sources, exemplar.masks, strict=True):
-        features[top : top + h, :w] = np.concatenate([m.astype(np.float32) for m in maps.values()], axis=2)
+        seen = [_perceived(pixels, exemplar.kinds[name]) for name, pixels in maps.items()]
+        features[top : top + h, :w] = np.concatenate(seen, axis=2)
         usable[top : top + h, :w] = mask
     start = 0
     for name, pixels in exemplar.sources[0].items():
@@ -107,4 +113,34 @@ def make_sheet(exemplar: Exemplar) -> Sheet:
     total = features[usable].var(axis=0, dtype=np.float64).sum()
     if total > 0:
         features /= np.float32(np.sqrt(total))
+    if channels > MOST_FEATURES:
+        features = _condense(features, usable)
     return Sheet(features, usable, tops, sizes)
+
+
+def _perceived(pixels: NDArray[Any], kind: str) -> NDArray[np.float32]:
+    """Values whose differences are about what the eye sees: linear light is bent as sRGB bends it."""
+    values = pixels.astype(np.float32)
+    if kind == "color" and pixels.dtype.kind == "f":
+        return np.sign(values) * np.abs(values) ** np.float32(1 / 2.2)
+    return values
+
+
+def _condense(features: NDArray[np.float32], usable: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """The strongest principal components, in which distances are nearly the same and cost less.
+
+    Sums are taken channel by channel, not by a matrix product, whose order depends on the number of threads.
+    """
+    planes = np.ascontiguousarray(np.moveaxis(features, 2, 0))
+    count = len(planes)
+    centered = [plane[usable] - plane[usable].mean(dtype=np.float64) for plane in planes]
+    covariance = np.zeros((count, count))
+    for a in range(count):
+        for b in range(a + 1):
+            covariance[a, b] = covariance[b, a] = (centered[a] * centered[b]).sum()
+    _, axes = np.linalg.eigh(covariance)
+    out = np.zeros((*features.shape[:2], MOST_FEATURES), np.float32)
+    for component in range(MOST_FEATURES):
+        for plane, share in zip(planes, axes[:, -1 - component], strict=True):
+            out[..., component] += np.float32(share) * plane
+    return out
