@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from browsing import CHROMIUM, FLAGS
+
 PHOTOGRAPHS = Path(__file__).parents[2] / "shared" / "data" / "textures"
 
 
@@ -47,3 +49,16 @@ def dart_report(darts):
     from tilewright.samplers import dart_throwing
 
     return analyze_points(darts, plate=dart_throwing(2**18, 0.7, seed=10), name="darts")
+
+
+@pytest.fixture(scope="module")
+def browser():
+    """Headless Chromium."""
+    if CHROMIUM is None:
+        pytest.skip("no Chromium was found")
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as play:
+        opened = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
+        yield opened
+        opened.close()

@@ -26,8 +26,6 @@ from tilewright.signals.textures import copy_from_sources
 from tilewright.tilings import packing
 
 BLENDER = Path(__file__).parents[1] / ".venv/blender/bin/python"
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 
 
 def surface(colors=2):
@@ -429,18 +427,12 @@ def test_blender_wires_every_map(in_blender, folders, tmp_path):
     assert wired == ["Base Color", "Emission Color", "Metallic", "Normal", "Roughness"]
 
 
-@pytest.fixture(scope="module")
-def browser():
-    if not in_godot.ENGINE.exists() or CHROMIUM is None:
-        pytest.skip("Godot for the web is not installed, or Chromium; .ci/install-validators has the first")
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as play:
-        opened = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield opened
-        opened.close()
+needs_godot = pytest.mark.skipif(
+    not in_godot.ENGINE.exists(), reason="Godot for the web is not installed; sh .ci/install-validators"
+)
 
 
+@needs_godot
 @pytest.mark.browser
 @pytest.mark.parametrize("colors", [1, 2, 6])
 def test_godot_renders_the_pixels_of_the_field(colors, browser, tmp_path):
@@ -455,6 +447,7 @@ def test_godot_renders_the_pixels_of_the_field(colors, browser, tmp_path):
     assert errors == []
 
 
+@needs_godot
 @pytest.mark.browser
 def test_godot_takes_every_map(browser, folders):
     _, errors = in_godot.draw(browser, folders / "godot", 8, (0, 0), 64)

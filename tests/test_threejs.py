@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import tilewright as tw
+from browsing import NEEDS_BROWSER, watched_page
 from handmade import handmade
-from test_viewer_page import CHROMIUM, FLAGS
 from tilewright.export.engines import save_for_engine
 from tilewright.export.engines.folder import prepare
 from tilewright.export.ktx2 import write_ktx2
@@ -21,8 +21,7 @@ NODE_MODULES = Path(__file__).parents[1] / ".venv" / "node" / "node_modules"
 RELEASES = ["three", "three-oldest"]
 
 pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(CHROMIUM is None, reason="no Chromium was found"),
+    *NEEDS_BROWSER,
     pytest.mark.skipif(
         not (NODE_MODULES / "three").exists(), reason="three.js was not found; sh .ci/install-node-tools"
     ),
@@ -152,16 +151,6 @@ class _Quiet(SimpleHTTPRequestHandler):
         pass
 
 
-@pytest.fixture(scope="module")
-def browser():
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as play:
-        opened = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield opened
-        opened.close()
-
-
 @pytest.fixture
 def open_folder(browser, tmp_path):
     """Serve an exported folder with a release of three.js in it, and open a page of it.
@@ -178,15 +167,8 @@ def open_folder(browser, tmp_path):
         server = ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(_Quiet, directory=str(folder)))
         threading.Thread(target=server.serve_forever, daemon=True).start()
         address = f"http://127.0.0.1:{server.server_port}/"
-        context = browser.new_context(viewport={"width": width, "height": height})
-        opened.append((server, context))
-        page = context.new_page()
-        page.on("console", lambda m: complaints.append(m.text) if m.type in ("error", "warning") else None)
-        page.on("pageerror", lambda error: complaints.append(str(error)))
-        page.on(
-            "request",
-            lambda r: complaints.append(r.url) if not r.url.startswith((address, "data:", "blob:")) else None,
-        )
+        page = watched_page(browser, complaints, (address, "data:", "blob:"), width, height)
+        opened.append((server, page))
         page.goto(address + page_name)
         if page_name == "test.html":
             page.wait_for_function("document.title === 'ready'")
@@ -194,8 +176,8 @@ def open_folder(browser, tmp_path):
 
     open_.complaints = complaints
     yield open_
-    for server, context in opened:
-        context.close()
+    for server, page in opened:
+        page.context.close()
         server.shutdown()
         server.server_close()
     # SwiftShader warns that reading pixels back stalls; nothing else may be said.

@@ -1,28 +1,17 @@
 """The viewer page in headless Chromium: the same pixels as Python's, and controls that work."""
 
 import base64
-import shutil
 
 import numpy as np
 import pytest
 
 import tilewright as tw
+from browsing import NEEDS_BROWSER, watched_page
 from handmade import handmade
 from tilewright.analysis import compare_textures
 from tilewright.errors import TilewrightError
 from tilewright.fields.contenders import side_by_side
 
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-FLAGS = [
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--disable-sync",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--no-first-run",
-]
 READ = """() => {
   const p = tilewright.pixels();
   let text = "";
@@ -30,46 +19,26 @@ READ = """() => {
   return { width: p.width, height: p.height, data: btoa(text) };
 }"""
 
-pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(CHROMIUM is None, reason="no Chromium was found"),
-]
-
-
-@pytest.fixture(scope="module")
-def browser():
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as play:
-        opened = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield opened
-        opened.close()
+pytestmark = NEEDS_BROWSER
 
 
 @pytest.fixture
 def open_page(browser, tmp_path):
     """Open a viewer of a material; fails on console errors and on any request but the file itself."""
-    contexts, complaints = [], []
+    pages, complaints = [], []
 
     def open_(material, seed=0, width=160, height=120, compare=None):
-        path = tmp_path / f"view{len(contexts)}.html"
+        path = tmp_path / f"view{len(pages)}.html"
         tw.save_viewer(material, path, seed=seed, compare=compare)
-        context = browser.new_context(viewport={"width": width, "height": height})
-        contexts.append(context)
-        page = context.new_page()
-        page.on("console", lambda m: complaints.append(m.text) if m.type in ("error", "warning") else None)
-        page.on("pageerror", lambda error: complaints.append(str(error)))
-        page.on(
-            "request",
-            lambda r: complaints.append(r.url) if not r.url.startswith(("file:", "data:", "blob:")) else None,
-        )
+        page = watched_page(browser, complaints, ("file:", "data:", "blob:"), width, height)
+        pages.append(page)
         page.goto(path.as_uri())
         page.evaluate("tilewright.ready")
         return page
 
     yield open_
-    for context in contexts:
-        context.close()
+    for page in pages:
+        page.context.close()
     # SwiftShader warns that reading pixels back stalls; nothing else may be said.
     assert [c for c in complaints if "ReadPixels" not in c] == []
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import tilewright as tw
+from browsing import NEEDS_BROWSER, watched_page
 from handmade import handmade
-from test_viewer_page import CHROMIUM, FLAGS
 from tilewright.export.engines import save_for_engine
 
 READ = """wanted => {
@@ -24,45 +24,25 @@ READ = """wanted => {
   return btoa(text);
 }"""
 
-pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(CHROMIUM is None, reason="no Chromium was found"),
-]
-
-
-@pytest.fixture(scope="module")
-def browser():
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as play:
-        opened = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield opened
-        opened.close()
+pytestmark = NEEDS_BROWSER
 
 
 @pytest.fixture
 def open_page(browser, tmp_path):
     """Export a material and open its page; fails on console messages and on requests but to the folder."""
-    contexts, complaints = [], []
+    pages, complaints = [], []
 
     def open_(material, seed=7, width=160, height=120):
-        folder = tmp_path / f"glsl{len(contexts)}"
+        folder = tmp_path / f"glsl{len(pages)}"
         save_for_engine(material, folder, "glsl", seed=seed)
-        context = browser.new_context(viewport={"width": width, "height": height})
-        contexts.append(context)
-        page = context.new_page()
-        page.on("console", lambda m: complaints.append(m.text))
-        page.on("pageerror", lambda error: complaints.append(str(error)))
-        page.on(
-            "request",
-            lambda r: complaints.append(r.url) if not r.url.startswith((folder.as_uri(), "data:")) else None,
-        )
+        page = watched_page(browser, complaints, (folder.as_uri(), "data:"), width, height)
+        pages.append(page)
         page.goto((folder / "index.html").as_uri())
         return page
 
     yield open_
-    for context in contexts:
-        context.close()
+    for page in pages:
+        page.context.close()
     # SwiftShader warns that reading pixels back stalls; nothing else may be said.
     assert [c for c in complaints if "ReadPixels" not in c] == []
 
