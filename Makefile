@@ -38,6 +38,7 @@ lint: $(VENV)/.lint-installed
 
 docs: $(VENV)/.docs-installed
 	$(BIN)/mkdocs build --strict --quiet
+	$(if $(PHOTOS),$(BIN)/python examples/gallery.py --photos "$(PHOTOS)" --output site/gallery/photographs)
 
 # Every photograph of a folder as tile set, wide, close and by five methods, in out/gallery.
 gallery: $(VENV)/.demo-installed

@@ -5,6 +5,7 @@ from the root of the repository; ``--docs`` writes the small pictures that docs/
 """
 
 import argparse
+import html
 import json
 import sys
 import warnings
@@ -20,6 +21,7 @@ from tilewright.analysis import compare_textures
 from tilewright.fields.contenders import SideBySide
 
 SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff")
+PICTURES = ("tiles", "wide", "close", "compare")
 GAP = 4
 Picture = NDArray[np.uint8]
 
@@ -47,6 +49,20 @@ def main() -> None:
     print(json.dumps(figures, indent=1))
     if not given.docs:
         (out / "figures.json").write_text(json.dumps(figures, indent=1))
+        (out / "index.html").write_text(index_page(figures), encoding="utf-8")
+
+
+def index_page(figures: dict[str, dict[str, dict[str, float]]]) -> str:
+    """A page of all pictures; the methods stand in the order of the strips."""
+    parts = []
+    for name, methods in figures.items():
+        said = " · ".join(f"{method} {found['repetition']:.2f}" for method, found in methods.items())
+        parts.append(
+            f"<h2>{html.escape(name)}</h2><p>Repetition: {said}. <a href='{name}.html'>Side by side</a></p>"
+        )
+        parts += [f"<a href='{name}-{what}.jpg'><img src='{name}-{what}.jpg'></a>" for what in PICTURES]
+    style = "body{font:1rem sans-serif;margin:2rem}img{max-width:47%;max-height:26rem;margin:.3rem}"
+    return f"<!doctype html><meta charset=utf-8><title>Gallery</title><style>{style}</style>{''.join(parts)}"
 
 
 def photographs(folder: Path) -> Iterator[tuple[str, Picture]]:
