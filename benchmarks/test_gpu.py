@@ -12,7 +12,8 @@ from timing import best
 
 pytest.importorskip("wgpu")
 
-from tilewright.gpu import GpuError, GpuField, GpuPicture, OrthographicCamera
+from tilewright.errors import GpuError
+from tilewright.gpu import GpuField, GpuPicture, OrthographicCamera
 from tilewright.gpu.device import open_gpu
 from tilewright.gpu.painter import BLOCK
 
