@@ -1,9 +1,11 @@
 """Texture tiles made by rule, so that tests need no synthesis: borders match, interiors are noise."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from tilewright.signals.textures import TextureTiles, copy_from_sources
-from tilewright.tiles import TileSet
+from tilewright.tiles import TileSet, corner_tiles
 
 
 def handmade(
@@ -22,3 +24,27 @@ def handmade(
     masks = (rng.random((64, 80)) < 0.9, np.ones((64, 80), bool))
     recipe = {"method": "by hand", "seed": 3, "weights": {"map0": 1.0}, "patches": {"center:0": [0, 1, 2]}}
     return TextureTiles(tiles, copy_from_sources(sources, origins), sources, origins, recipe, masks)
+
+
+def handmade_surface(colors=2):
+    """A stack of maps of all types: half of what a material may have."""
+    base, rng = handmade(corner_tiles(colors), 16), np.random.default_rng(8)
+    shape = base.sources[0]["map0"].shape[:2]
+    maps = {
+        "base color": (3, np.uint8),
+        "normal": (3, np.uint8),
+        "roughness": (1, np.uint8),
+        "metallic": (1, np.uint8),
+        "ao": (1, np.uint16),
+        "height": (1, np.float32),
+        "emissive": (3, np.float32),
+    }
+
+    def pixels(channels, kind):
+        most = 1 if kind == np.float32 else np.iinfo(kind).max
+        return (rng.random((*shape, channels)) * most).astype(kind)
+
+    sources = tuple({name: pixels(*what) for name, what in maps.items()} for _ in base.sources)
+    kinds = {"base color": "color", "normal": "normal-gl", "emissive": "color", "roughness": "roughness"}
+    kinds = {name: kinds.get(name, "data") for name in maps}
+    return replace(base, maps=copy_from_sources(sources, base.origins), sources=sources, kinds=kinds)
