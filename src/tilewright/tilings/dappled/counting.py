@@ -1,0 +1,145 @@
+"""How many dappled tilings there are, exactly, by transfer from cell to cell."""
+
+from collections import Counter
+from collections.abc import Mapping
+
+import numpy as np
+
+from tilewright.errors import TilewrightValueError, check_int
+from tilewright.tilings.dappled.conditions import NEVER, Conditions, Most
+
+_MOST_STATES = 200_000
+_MOST_SIDE = 10_000
+
+Track = tuple[int, int]
+"""What a line remembers for one condition: the run it began with, and the run that ends here.
+
+The first is -1 while the line has held nothing but the condition's tiles; it stays 0 where lines end.
+"""
+
+
+def count_dappled(
+    width: int,
+    height: int,
+    limits: Mapping[str, Most] | Conditions,
+    *,
+    cyclic: bool = False,
+    tiles: int | None = None,
+    totals: Mapping[int, int] | None = None,
+) -> int:
+    """The number of dappled tilings of a rectangle or torus, translations counted apart.
+
+    For {H_0^2, V_1^2} these are the numbers that remark 1.4 of Kaji et al. 2016 points to (OEIS A206994).
+
+    Parameters
+    ----------
+    width, height : int
+        Cells. The work grows with the number of states of the shorter side: about 3^12 for limits of 2.
+    limits : mapping or Conditions
+        As in `Conditions`; constant.
+    cyclic : bool
+        Whether rows and columns close to rings.
+    tiles : int, optional
+        Number of tiles.
+    totals : mapping from tile to count, optional
+        Count only tilings in which so many cells hold a tile (section 6 (6)).
+
+    Returns
+    -------
+    int, of any size
+
+    Raises
+    ------
+    TilewrightValueError
+        Limits that vary, or more than 200,000 states.
+    """
+    check_int("width", width, 1, _MOST_SIDE)
+    check_int("height", height, 1, _MOST_SIDE)
+    conditions = Conditions(limits, tiles)
+    wanted = dict(sorted((totals or {}).items()))
+    for tile, count in wanted.items():
+        check_int("a tile of totals", tile, 0, conditions.tiles - 1)
+        check_int("a count of totals", count, 0, width * height)
+    transfer = _Transfer(conditions, cyclic, tuple(wanted))
+    if width > height:  # the states remember a row: let it be the shorter side
+        transfer.along, transfer.down = transfer.down, transfer.along
+        width, height = height, width
+    states: Counter[tuple] = Counter({((transfer.fresh(transfer.down),) * width, (0,) * len(wanted)): 1})
+    for _ in range(height):
+        states = transfer.row(states, width)
+    asked = tuple(wanted.values())
+    return sum(
+        number
+        for (columns, seen), number in states.items()
+        if seen == asked and all(transfer.closes(transfer.down, column) for column in columns)
+    )
+
+
+class _Transfer:
+    """From the states before a row to those after it. A state is what every column remembers."""
+
+    def __init__(self, conditions: Conditions, cyclic: bool, counted: tuple[int, ...]) -> None:
+        self.tiles, self.cyclic, self.counted = conditions.tiles, cyclic, counted
+        self.along, self.down = (self._limits(conditions, axis) for axis in (0, 1))
+
+    def _limits(self, conditions: Conditions, axis: int) -> list[tuple[frozenset[int], int]]:
+        found = []
+        for limit in conditions.limits:
+            if callable(limit.most) or np.unique(limit.most).size > 1:
+                raise TilewrightValueError(
+                    f"the limit of {limit} varies over cells; counting needs constant ones"
+                )
+            if limit.axis == axis and limit.most.flat[0] < NEVER:
+                found.append((frozenset(limit.tiles), int(limit.most.flat[0])))
+        return found
+
+    def fresh(self, limits: list[tuple[frozenset[int], int]]) -> tuple[Track, ...]:
+        """What an empty line remembers."""
+        return ((-1 if self.cyclic else 0, 0),) * len(limits)
+
+    def step(
+        self, limits: list[tuple[frozenset[int], int]], line: tuple[Track, ...], tile: int
+    ) -> tuple[Track, ...] | None:
+        """The line with one more tile; None where a run gets too long."""
+        after = []
+        for (inside, most), (lead, run) in zip(limits, line, strict=True):
+            if tile in inside:
+                if run == most:
+                    return None
+                after.append((lead, run + 1))
+            else:
+                after.append((run if lead < 0 else lead, 0))
+        return tuple(after)
+
+    def closes(self, limits: list[tuple[frozenset[int], int]], line: tuple[Track, ...]) -> bool:
+        """Whether a finished line is dappled: as a ring, its last run goes on in its first."""
+        if not self.cyclic:
+            return True
+        return all(
+            lead >= 0 and lead + run <= most for (_, most), (lead, run) in zip(limits, line, strict=True)
+        )
+
+    def row(self, states: Counter[tuple], width: int) -> Counter[tuple]:
+        """Lay one row, cell by cell."""
+        start = self.fresh(self.along)
+        partial: Counter[tuple] = Counter({(*state, start): number for state, number in states.items()})
+        for x in range(width):
+            after: Counter[tuple] = Counter()
+            for (columns, seen, line), number in partial.items():
+                for tile in range(self.tiles):
+                    along = self.step(self.along, line, tile)
+                    down = self.step(self.down, columns[x], tile)
+                    if along is not None and down is not None:
+                        counts = tuple(n + (tile == t) for n, t in zip(seen, self.counted, strict=True))
+                        after[(*columns[:x], down, *columns[x + 1 :]), counts, along] += number
+            if len(after) > _MOST_STATES:
+                raise TilewrightValueError(
+                    f"counting takes more than {_MOST_STATES} states for rows of {width} cells; "
+                    "ask for fewer cells along the shorter side"
+                )
+            partial = after
+        done: Counter[tuple] = Counter()
+        for (columns, seen, line), number in partial.items():
+            if self.closes(self.along, line):
+                done[columns, seen] += number
+        return done

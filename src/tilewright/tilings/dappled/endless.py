@@ -1,0 +1,113 @@
+"""Dappled tilings of the endless plane, evaluated anywhere."""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tilewright.errors import TilewrightValueError, check_int, check_real
+from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Most, as_cells
+from tilewright.tilings.dappled.surgery import is_remark
+from tilewright.tilings.domain import Domain
+
+SIDE = 64
+"""Cells along the side of the blocks that are rectified by themselves."""
+_STREAM = 14
+"""Stream of the hash for a random start."""
+
+Start = float | Callable[[NDArray[np.int64], NDArray[np.int64]], ArrayLike]
+
+
+class EndlessDapple:
+    """A dappled tiling of the plane with two tiles; made by `endless_dapple`."""
+
+    def __init__(self, conditions: Conditions, start: Start, seed: int) -> None:
+        self.conditions = conditions
+        self.start = start
+        self.seed = np.uint64(seed).astype(np.int64)
+        self.domain = Domain.plane(None)
+        self._most = [conditions.table(axis, (1, 1)) for axis in (0, 1)]
+        self._across = int(np.argmin(self._most[0][:, 0, 0]))
+
+    def cells(self, x: int, y: int, width: int, height: int) -> Cells:
+        """Tiles of a window, equal to the same cells of any other window.
+
+        Parameters
+        ----------
+        x, y : int
+            First cell, within +-2^61.
+        width, height : int
+
+        Returns
+        -------
+        uint8 array, shape (height, width)
+        """
+        self.domain.check_window((x, y), (width, height))
+        from tilewright.kernels.dappling import fill_blocks
+
+        out = np.empty((height, width), np.uint8)
+        given, threshold = np.empty((0, 0), np.uint8), 0
+        if callable(self.start):
+            given = self._evaluate(self.start, x, y, width, height)
+        else:
+            threshold = round(self.start * 2**31)
+        fill_blocks(x, y, SIDE, self.seed, _STREAM, threshold, given, *self._most, self._across, out)
+        return out
+
+    def _evaluate(
+        self,
+        start: Callable[[NDArray[np.int64], NDArray[np.int64]], ArrayLike],
+        x: int,
+        y: int,
+        width: int,
+        height: int,
+    ) -> Cells:
+        """The start on whole blocks and two cells more."""
+        across, down = (
+            np.arange(at // SIDE * SIDE, -(-(at + size) // SIDE) * SIDE + 2)
+            for at, size in ((x, width), (y, height))
+        )
+        shape = (down.size, across.size)
+        given = np.broadcast_to(start(*np.meshgrid(across, down)), shape)
+        return as_cells("start", given, 2).astype(np.uint8)
+
+
+def endless_dapple(
+    limits: Mapping[str, Most] | Conditions, *, start: Start = 0.5, seed: int = 0
+) -> EndlessDapple:
+    """A dappled tiling of the endless plane whose cells depend on their place and the seed only.
+
+    The plane is cut into blocks of 64 x 64 cells. The first two rows and columns of each alternate, as in
+    remark 3.4 of Kaji et al. 2016, and depend on the start alone; so every block can be rectified by itself
+    (section 6 (5)), and blocks run in parallel.
+
+    Parameters
+    ----------
+    limits : mapping or Conditions
+        Constant limits of two tiles: all from 3 on, or one horizontal limit of one tile and one vertical
+        limit of the other, from 2 on.
+    start : float or function
+        The tiling to follow: the share of tile 1, or a function of int64 arrays x and y to tiles 0 and 1.
+    seed : int
+        0 to 2^64 - 1.
+
+    Raises
+    ------
+    TilewrightValueError
+        Other limits.
+    """
+    conditions = Conditions(limits)
+    given = [limit.most for limit in conditions.limits]
+    if conditions.tiles != 2 or not conditions.is_single or any(callable(m) or m.size > 1 for m in given):
+        raise TilewrightValueError(
+            "limits must be constant and of single tiles, of two, for an endless tiling"
+        )
+    least = min((int(most.min()) for most in given), default=NEVER)
+    if least < 2 or (least == 2 and not is_remark(conditions.limits, 2, (1, 1))):
+        raise TilewrightValueError(
+            f"limits go down to {least}; an endless tiling needs limits from 3 on, or from 2 on for just one "
+            "horizontal limit of one tile and one vertical limit of the other"
+        )
+    if not callable(start):
+        check_real("start", start, 0, 1)
+    return EndlessDapple(conditions, start, check_int("seed", seed, 0, 2**64 - 1))

@@ -1,0 +1,96 @@
+"""Tilings to begin with: chance, or the light and dark of a picture."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_real
+from tilewright.tilings.dappled.conditions import Cells
+from tilewright.tilings.hashes import MixerHash
+
+_STREAM = 15
+_MOST_SIDE = 65536
+
+
+def random_start(width: int, height: int, shares: Sequence[float] = (0.5, 0.5), seed: int = 0) -> Cells:
+    """A tiling in which every cell draws its tile by itself.
+
+    Parameters
+    ----------
+    width, height : int
+        Cells, 1 to 65,536. A larger tiling continues a smaller one of the same seed.
+    shares : sequence of float
+        How often each tile comes, for example ``(0.3, 0.7)``; only their ratios count.
+    seed : int
+        0 to 2^64 - 1.
+
+    Returns
+    -------
+    uint8 array, shape (height, width)
+    """
+    check_int("width", width, 1, _MOST_SIDE)
+    check_int("height", height, 1, _MOST_SIDE)
+    weights = np.array([check_real("a share", share, 0, 1e9) for share in shares])
+    if len(weights) < 2 or weights.sum() <= 0:
+        raise TilewrightValueError(
+            f"shares is {tuple(shares)}; expected a number for each tile, at least two"
+        )
+    most = np.cumsum(weights) / weights.sum() * 2.0**32
+    out = np.empty((height, width), np.uint8)
+    hash = MixerHash(seed)
+    for y in range(height):
+        out[y] = np.searchsorted(most[:-1], hash.words(_STREAM, np.arange(width), y), side="right")
+    return out
+
+
+def start_from_image(
+    pixels: ArrayLike, width: int, height: int, tiles: int = 2, *, dither: bool = False
+) -> Cells:
+    """A tiling that follows a picture: dark parts get tile 0, light parts the last tile.
+
+    Parameters
+    ----------
+    pixels : array-like, shape (h, w) or (h, w, channels)
+        Grays or sRGB colors; integers over their type's range, floats from 0 to 1. Alpha is left out.
+    width, height : int
+        Cells; the picture is averaged over each, stretched where the sides have another ratio.
+    tiles : int
+        2 to 256.
+    dither : bool
+        Whether the error of each cell is passed on to its neighbors (Floyd and Steinberg), so that grays
+        become mixtures; otherwise every cell takes the nearest tile.
+
+    Returns
+    -------
+    uint8 array, shape (height, width)
+    """
+    check_int("width", width, 1, _MOST_SIDE)
+    check_int("height", height, 1, _MOST_SIDE)
+    levels = check_int("tiles", tiles, 2, 256) - 1
+    from PIL import Image
+
+    gray = Image.fromarray(_gray(pixels)).resize((width, height), Image.Resampling.BOX)
+    if not dither:
+        return np.rint(np.asarray(gray) * levels).astype(np.uint8)
+    shades = Image.new("P", (1, 1))
+    shades.putpalette(np.repeat(np.rint(np.linspace(0, 255, levels + 1)), 3).astype(np.uint8).tobytes())
+    eight_bits = Image.fromarray(np.rint(np.asarray(gray) * 255).astype(np.uint8)).convert("RGB")
+    return np.array(eight_bits.quantize(palette=shades, dither=Image.Dither.FLOYDSTEINBERG))
+
+
+def _gray(pixels: ArrayLike) -> np.ndarray:
+    """Brightness from 0 to 1 as float32."""
+    given = np.asarray(pixels)
+    if given.dtype.kind not in "uif" or given.ndim not in (2, 3) or given.size == 0:
+        raise TilewrightTypeError(
+            f"pixels must be numbers (h, w) or (h, w, channels), not {given.dtype} {given.shape}"
+        )
+    scale = 1.0 if given.dtype.kind == "f" else 1.0 / np.iinfo(given.dtype).max
+    values = given.astype(np.float64) * scale
+    if not np.isfinite(values).all():
+        raise TilewrightValueError("pixels holds NaN or infinity")
+    if values.ndim == 3:
+        colors = values[..., :3] if values.shape[2] >= 3 else values[..., :1]
+        values = colors @ (np.array([0.2126, 0.7152, 0.0722]) if colors.shape[2] == 3 else np.ones(1))
+    return np.clip(values, 0, 1).astype(np.float32)
