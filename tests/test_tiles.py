@@ -176,7 +176,7 @@ BAD = {
     "beyond 64 bits": (lambda: tw.tile_set([[0, 0, 0, 2**70]]), "beyond 64 bits"),
     "no set": (lambda: tw.corner_coded_tiles(3), "base must be a TileSet"),
     "find three": (lambda: tw.corner_tiles(2).find([0, 0, 0]), "last axis must be 4 long"),
-    "decode none": (lambda: tw.decode(0, (0, 2)), "colors is 0; allowed are 1 to 256"),
+    "decode none": (lambda: tw.decode(0, (0, 2)), "colors is 0; allowed are 1 to 32768"),
     "decode nothing": (lambda: tw.decode(0, None), "colors must be a tuple"),
     "decode huge": (lambda: tw.decode(0, (256,) * 8), "up to 2^62"),
     "three slots": (lambda: tw.tile_set([[0, 1, 2]]), r"need (tiles, 4)"),

@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 from tilewright.lazy import load_lazily
 
 if TYPE_CHECKING:
+    from tilewright.fields.brick_bonds import BondBricks
+    from tilewright.fields.brick_field import BrickField
     from tilewright.fields.contenders import SideBySide, side_by_side
     from tilewright.fields.photo_fields import HexField, NoiseField, RepeatField
     from tilewright.fields.point_field import PointField
@@ -12,6 +14,8 @@ if TYPE_CHECKING:
     from tilewright.fields.texture_field import TextureField
 
 _HOME = {
+    "BondBricks": "brick_bonds",
+    "BrickField": "brick_field",
     "HexField": "photo_fields",
     "NoiseField": "photo_fields",
     "PointField": "point_field",
@@ -23,6 +27,8 @@ _HOME = {
 }
 
 __all__ = [
+    "BondBricks",
+    "BrickField",
     "HexField",
     "NoiseField",
     "PointField",

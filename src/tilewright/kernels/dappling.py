@@ -149,7 +149,7 @@ def count_run(line, at):
 def dapple_bezel(most_h, most_v, out):
     """Rectify the cells within a bezel of a tiling of two tiles, in place (remark 3.4).
 
-    most_h, most_v : int32 (2, 1, 1). out : uint8 (h + 2, w + 2); its first and last two rows and columns stay.
+    most_h, most_v : int32 (2, 1, 1). out : uint8 (h + 2, w + 2); its two outer rows and columns stay.
     """
     height, width = out.shape[0] - 2, out.shape[1] - 2
     run_h, run_v = np.zeros(height, np.int32), np.zeros(width, np.int32)

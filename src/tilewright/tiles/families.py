@@ -203,9 +203,11 @@ def tile_set(slots: object, shape: str = "wang", *, name: str = "custom") -> Til
 
 
 def as_wang_tiles(corners: TileSet) -> TileSet:
-    """The Wang set equivalent to a corner set: an edge color for each pair of corner colors.
+    """The Wang set equivalent to a corner set: an edge color for each pair of corner colors that occurs.
 
-    The color of an edge whose ends are a (west or north) and b is a C + b (Lagae 2007, section 2.9).
+    The pairs (west, east) on N and S edges are numbered in ascending order, those (north, south) on E and W
+    edges likewise, from 0 on (Lagae 2007, section 8.4). In a complete set all pairs occur and the color of
+    an edge whose ends are a and b is a C + b (section 2.9).
     """
     if check_tiles("corners", corners).shape is not CORNER:
         raise TilewrightValueError(
@@ -213,8 +215,15 @@ def as_wang_tiles(corners: TileSet) -> TileSet:
         )
     c = max(corners.colors)
     ne, se, sw, nw = corners.slots.astype(int).T
-    slots = np.stack([nw * c + ne, ne * c + se, sw * c + se, nw * c + sw], axis=1)
-    return TileSet(WANG, slots, (c * c,) * 4, f"{corners.name} (from corners)")
+    level, n_s = np.unique([nw * c + ne, sw * c + se], return_inverse=True)
+    upright, e_w = np.unique([ne * c + se, nw * c + sw], return_inverse=True)
+    (n, s), (e, w) = n_s.reshape(2, -1), e_w.reshape(2, -1)
+    return TileSet(
+        WANG,
+        np.stack([n, e, s, w], axis=1),
+        (len(level), len(upright)) * 2,
+        f"{corners.name} (from corners)",
+    )
 
 
 def _both(colors: int, vertical_colors: int | None) -> tuple[int, int]:

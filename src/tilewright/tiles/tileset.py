@@ -9,10 +9,13 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
 from tilewright.tiles.shape import Shape
 
-MOST_COLORS = 256
-"""What a slot of any set can hold."""
+MOST_COLORS = 2**15
+"""What a slot of any set can hold: four slots of so many colors have codes below 2^62."""
 MOST_FAMILY_COLORS = 16
 """What the named families offer."""
+
+Slots = NDArray[Any]
+"""Colors of slots: uint8, or uint16 where there are more than 256 colors."""
 
 
 def check_colors(value: int, low: int = 1, name: str = "colors") -> int:
@@ -62,7 +65,7 @@ class TileSet:
         self.shape = shape
         self.name = name
         self.colors = check_palette(_radices(shape, table) if colors is None else colors)
-        self._slots: NDArray[np.uint8] = table.astype(np.uint8)
+        self._slots: Slots = table.astype(slot_type(self.colors))
         self._slots.setflags(write=False)
         self._check_colors()
         codes = self.codes
@@ -89,8 +92,8 @@ class TileSet:
             )
 
     @property
-    def slots(self) -> NDArray[np.uint8]:
-        """Colors of every tile, shape (T, S), read-only."""
+    def slots(self) -> Slots:
+        """Colors of every tile, shape (T, S), read-only; uint8, or uint16 for more than 256 colors."""
         return self._slots
 
     def __len__(self) -> int:
@@ -109,7 +112,7 @@ class TileSet:
         """Whether every combination of colors is there."""
         return len(self) == prod(self.colors)
 
-    def slots_of(self, index: ArrayLike) -> NDArray[np.uint8]:
+    def slots_of(self, index: ArrayLike) -> Slots:
         """Colors of the tiles with the given indices, along a new last axis."""
         return self.slots[self._check_index(index)]
 
@@ -199,6 +202,11 @@ def check_palette(colors: Any) -> tuple[int, ...]:
     return found
 
 
+def slot_type(colors: tuple[int, ...]) -> type[np.unsignedinteger[Any]]:
+    """The integers that hold a set's colors."""
+    return np.uint8 if max(colors) <= 256 else np.uint16
+
+
 def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
     """Mixed-radix number of the colors along the last axis (Lagae 2007, eq. 2.2 and 2.5)."""
     colors = check_palette(colors)
@@ -211,7 +219,7 @@ def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
     return code
 
 
-def decode(codes: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.uint8]:
+def decode(codes: ArrayLike, colors: tuple[int, ...]) -> Slots:
     """Colors of each slot along a new last axis (Lagae 2007, eq. 2.4 and 2.7)."""
     rest = as_integers("codes", codes)
     colors = check_palette(colors)
@@ -221,7 +229,7 @@ def decode(codes: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.uint8]:
             f"codes runs from {rest.min()} to {rest.max()}; allowed are 0 to {most - 1}"
         )
     rest = rest.astype(np.int64)
-    slots = np.empty((*rest.shape, len(colors)), np.uint8)
+    slots = np.empty((*rest.shape, len(colors)), slot_type(colors))
     for slot in range(len(colors) - 1, -1, -1):
         slots[..., slot] = rest % colors[slot]
         rest = rest // colors[slot]

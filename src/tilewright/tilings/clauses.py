@@ -192,7 +192,7 @@ class Clauses:
             raise TilewrightValueError("answer has a v line that holds something but integers") from None
         if not len(literals) or np.abs(literals).max() > self.count:
             raise TilewrightValueError(
-                f"answer has no v lines for {self.count} variables; expected a solver's output in DIMACS style"
+                f"answer has no v lines for {self.count} variables; expected what a SAT solver prints"
             )
         values = np.zeros(self.count + 1, bool)
         values[np.abs(literals)] = literals > 0

@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING
 from tilewright.lazy import load_lazily
 
 if TYPE_CHECKING:
+    from tilewright.signals.textures.brick_style import BrickStyle
+    from tilewright.signals.textures.brick_tiles import brick_texture_tiles
     from tilewright.signals.textures.exemplar import Exemplar
     from tilewright.signals.textures.regularity import Regularity, find_regularity
     from tilewright.signals.textures.synthesis import METHODS, resynthesize, synthesize
@@ -13,9 +15,11 @@ if TYPE_CHECKING:
 # Synthesis needs SciPy; showing what was made does not.
 _HOME = {
     "METHODS": "synthesis",
+    "BrickStyle": "brick_style",
     "Exemplar": "exemplar",
     "Regularity": "regularity",
     "TextureTiles": "texture_tiles",
+    "brick_texture_tiles": "brick_tiles",
     "copy_from_sources": "texture_tiles",
     "find_regularity": "regularity",
     "resynthesize": "synthesis",
@@ -24,9 +28,11 @@ _HOME = {
 
 __all__ = [
     "METHODS",
+    "BrickStyle",
     "Exemplar",
     "Regularity",
     "TextureTiles",
+    "brick_texture_tiles",
     "copy_from_sources",
     "find_regularity",
     "resynthesize",

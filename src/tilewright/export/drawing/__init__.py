@@ -1,0 +1,1 @@
+"""Line drawings of tile sets, tilings, walls and puzzles, as SVG."""

@@ -1,0 +1,59 @@
+"""The few parts of SVG that drawings are made of."""
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
+
+from tilewright.errors import TilewrightValueError
+from tilewright.files.whole import as_path, whole_file
+
+
+def element(tag: str, *content: str, **attributes: str | float) -> str:
+    """One element; ``stroke_width=2`` becomes ``stroke-width="2"``, numbers keep four decimals."""
+    written = "".join(
+        f" {name.strip('_').replace('_', '-')}={quoteattr(_text(v))}" for name, v in attributes.items()
+    )
+    return f"<{tag}{written}>{''.join(content)}</{tag}>" if content else f"<{tag}{written}/>"
+
+
+def text(words: str, **attributes: str | float) -> str:
+    """A line of text at ``x``, ``y``."""
+    return element("text", escape(words), **attributes)
+
+
+def path_of(points: Iterable[tuple[float, float]], *, closed: bool = True) -> str:
+    """The ``d`` of a path along straight lines."""
+    way = "L".join(f"{_text(float(x))} {_text(float(y))}" for x, y in points)
+    return f"M{way}{'Z' if closed else ''}"
+
+
+def document(body: Iterable[str], width: float, height: float, *, unit: str = "", scale: float = 1) -> str:
+    """A whole drawing of ``width`` by ``height`` user units, shown ``scale`` times as large, in ``unit``."""
+    return (
+        element(
+            "svg",
+            *body,
+            xmlns="http://www.w3.org/2000/svg",
+            viewBox=f"0 0 {_text(width)} {_text(height)}",
+            width=f"{_text(width * scale)}{unit}",
+            height=f"{_text(height * scale)}{unit}",
+        )
+        + "\n"
+    )
+
+
+def save_svg(path: str | os.PathLike[str], drawing: str) -> Path:
+    """Write a drawing to a file that ends in .svg, whole or not at all."""
+    target = as_path(path)
+    if target.suffix.lower() != ".svg":
+        raise TilewrightValueError(f"{target} ends in {target.suffix or 'nothing'!r}; expected .svg")
+    with whole_file(target) as unfinished:
+        unfinished.write_text(drawing, encoding="utf-8")
+    return target
+
+
+def _text(value: str | float) -> str:
+    return value if isinstance(value, str) else np.format_float_positional(value, precision=4, trim="-")

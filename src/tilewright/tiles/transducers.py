@@ -1,0 +1,190 @@
+"""A tile set as a transducer: a machine that reads a row of colors and writes the row below it.
+
+Its states are the colors between neighbors, its transitions the tiles, west to east; rows below one another
+are transducers composed (Kari 1996; Jeandel & Rao 2015, who read from south to north; the package slabbe uses
+the same words). A row without end is a path without end, so what lies on no such path can go.
+"""
+
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightValueError, check_int
+from tilewright.tiles.families import as_wang_tiles
+from tilewright.tiles.shape import CORNER
+from tilewright.tiles.tileset import TileSet, check_tiles
+from tilewright.tiles.translations import count_pairs, join, wang_slots
+
+_MOST_TRANSITIONS = 10_000_000
+_MOST_ROWS = 64
+
+Numbers = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Transducer:
+    """Columns of tiles, one or more rows high, as transitions between states.
+
+    For fillings: a rectangle as high as the columns is a path, each column's ``target`` the ``source`` of
+    the next; it fits below another where that one writes what it reads. `strip` makes them of any height.
+
+    Attributes
+    ----------
+    columns : int32 array, shape (M, rows)
+        Tiles of each transition, north to south.
+    source, target : int64 array, shape (M,)
+        States at the W side and at the E side, numbered from 0 on.
+    read, write : int64 array, shape (M,)
+        Color of the north edge of the first tile, of the south edge of the last.
+    """
+
+    columns: NDArray[np.int32]
+    source: Numbers
+    target: Numbers
+    read: Numbers
+    write: Numbers
+
+    def __len__(self) -> int:
+        return len(self.columns)
+
+    @property
+    def states(self) -> int:
+        """How many states there are."""
+        return int(max(self.source.max(initial=-1), self.target.max(initial=-1))) + 1
+
+    def compose(self, below: "Transducer") -> "Transducer":
+        """These rows with those of another transducer below them, which reads what this one writes.
+
+        Raises
+        ------
+        TilewrightValueError
+            There would be more than 10 million transitions.
+        """
+        pairs = count_pairs(self.write, below.read)
+        if pairs > _MOST_TRANSITIONS:
+            raise TilewrightValueError(
+                f"{pairs} columns are that many rows high; allowed are {_MOST_TRANSITIONS}, with fewer rows"
+            )
+        up, down = join(self.write, below.read)
+        return _numbered(
+            np.concatenate([self.columns[up], below.columns[down]], axis=1),
+            self.source[up] * below.states + below.source[down],
+            self.target[up] * below.states + below.target[down],
+            self.read[up],
+            below.write[down],
+        )
+
+    def trim(self) -> "Transducer":
+        """Without transitions that lie on no path that is endless both ways."""
+        kept = self
+        while True:
+            endless = np.isin(kept.source, kept.target) & np.isin(kept.target, kept.source)
+            if endless.all():
+                return kept
+            kept = kept.only(endless)
+
+    def strong(self) -> "Transducer":
+        """Without transitions that lie on no cycle, as Jeandel & Rao 2015 do.
+
+        It leaves fewer than `trim`. If the set tiles the plane it does so with these alone: far enough to the
+        east every strip of rows stays in one strongly connected part.
+        """
+        from scipy.sparse.csgraph import connected_components
+
+        part = connected_components(self._graph(), connection="strong")[1]
+        return self.only(part[self.source] == part[self.target])
+
+    def only(self, kept: NDArray[Any]) -> "Transducer":
+        """Some of the transitions, by a mask or by indices."""
+        return _numbered(
+            self.columns[kept], self.source[kept], self.target[kept], self.read[kept], self.write[kept]
+        )
+
+    def cycle(self) -> NDArray[np.int32] | None:
+        """Columns that follow each other in a ring, int32 (rows, width); None where there are none.
+
+        It is the shortest ring through one of the states.
+        """
+        from scipy.sparse.csgraph import breadth_first_order
+
+        ringed = self.strong()
+        if not len(ringed):
+            return None
+        start = int(ringed.source[0])
+        order, before = breadth_first_order(ringed._graph(), start)
+        reached = np.full(ringed.states, ringed.states)
+        reached[order] = np.arange(len(order))
+        last = ringed.source[ringed.target == start]
+        path = [start, int(last[np.argmin(reached[last])])]
+        while path[-1] != start:
+            path.append(int(before[path[-1]]))
+        steps = [_first(ringed, a, b) for b, a in pairwise(path)]
+        steps.reverse()
+        return ringed.columns[steps].T
+
+    def _graph(self) -> Any:
+        from scipy.sparse import coo_array
+
+        ones = np.ones(len(self), np.int32)
+        return coo_array((ones, (self.source, self.target)), (self.states, self.states)).tocsr()
+
+
+def strip(tiles: TileSet, rows: int = 1) -> Transducer:
+    """All columns of ``rows`` tiles that lie in strips without end, as a transducer.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        Wang tiles, or corner tiles, taken as the Wang tiles with the same indices (`as_wang_tiles`).
+    rows : int
+        1 to 64.
+    """
+    if check_tiles("tiles", tiles).shape is CORNER:
+        tiles = as_wang_tiles(tiles)
+    n, e, s, w = wang_slots(tiles).T
+    check_int("rows", rows, 1, _MOST_ROWS)
+    row = _numbered(np.arange(len(tiles), dtype=np.int32)[:, None], w, e, n, s).trim()
+    made = row
+    for _ in range(rows - 1):
+        made = made.compose(row).trim()
+    return made
+
+
+def find_period(tiles: TileSet, rows: int) -> NDArray[np.int32] | None:
+    """A tiling that repeats after ``rows`` rows, and after some columns; or None, which proves there is none.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        Wang tiles or corner tiles.
+    rows : int
+        1 to 64.
+
+    Returns
+    -------
+    int32 array, shape (rows, columns), or None
+        Tile indices for ``array_tiling(tiles, ..., torus=True)``.
+
+    Raises
+    ------
+    TilewrightValueError
+        There are too many columns of so many rows to look at.
+    """
+    high = strip(tiles, rows)
+    return high.only(high.read == high.write).cycle()
+
+
+def _numbered(
+    columns: NDArray[np.int32], source: Numbers, target: Numbers, read: Numbers, write: Numbers
+) -> Transducer:
+    """A transducer whose states are numbered from 0 on, in ascending order of the numbers given."""
+    states = np.unique([source, target], return_inverse=True)[1].reshape(2, -1)
+    return Transducer(columns, states[0], states[1], read, write)
+
+
+def _first(transducer: Transducer, source: int, target: int) -> int:
+    """The first transition between two states."""
+    return int(np.argmax((transducer.source == source) & (transducer.target == target)))

@@ -1,0 +1,189 @@
+"""From Wang sets to corner sets by five constructions that carry tilings over (Lagae 2007, section 8.3).
+
+Each lays the lattice of the corner tiles otherwise over that of the Wang tiles and lists every corner tile
+that can then appear. The way back is `as_wang_tiles` (section 8.4).
+"""
+
+import warnings
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import TilewrightValueError, TilewrightWarning, check_choice
+from tilewright.tiles.shape import CORNER, WANG
+from tilewright.tiles.tileset import TileSet, check_tiles
+
+CONSTRUCTIONS = ("diagonal", "horizontal", "vertical", "rotation", "subdivision")
+
+Colors = NDArray[np.int64]
+
+
+def as_corner_tiles(wang: TileSet, construction: str) -> TileSet:
+    """A corner set made from a Wang set by one of the constructions of Lagae 2007, section 8.3.
+
+    Parameters
+    ----------
+    wang : TileSet
+    construction : str
+        ``"diagonal"``: a corner tile for every valid 2 x 2 block, colored by the Wang tiles themselves.
+        ``"horizontal"``: one for every two tiles side by side, colored by their N and S edges.
+        ``"vertical"``: one for every two tiles one above the other, colored by their E and W edges.
+        ``"rotation"``: one for every tile and one for the edges around every valid vertex, colored by edges.
+        The colors of N and S edges come first, those of E and W edges after them.
+        ``"subdivision"``: four for every tile, colored by its edges, the tile and one more color.
+
+    Returns
+    -------
+    TileSet
+        If the Wang set is aperiodic so is the corner set, except for a translation that is not sound.
+
+    Raises
+    ------
+    TilewrightValueError
+        Different pairs give the same corner tile in a horizontal or vertical translation ("failed" in table
+        8.1), or no tiles fit together.
+
+    Warns
+    -----
+    TilewrightWarning
+        A horizontal or vertical translation is not sound (`translation_is_sound`): the corner set can have
+        tilings that come from no Wang tiling.
+    """
+    slots = wang_slots(wang)
+    check_choice("construction", construction, CONSTRUCTIONS)
+    if construction in ("horizontal", "vertical"):
+        made, colors = _translate(slots, construction), wang.colors[construction == "vertical"]
+        if not translation_is_sound(wang, construction):
+            ends = "N and S" if construction == "horizontal" else "E and W"
+            warnings.warn(
+                f"the {wang.name} set has tiles that differ, yet not at {ends}: the corner set by "
+                f"{construction} translation may have tilings that no Wang tiling gives, also periodic ones",
+                TilewrightWarning,
+                stacklevel=2,
+            )
+    elif construction == "diagonal":
+        made, colors = blocks(slots)[:, [1, 3, 2, 0]], len(slots)
+    elif construction == "rotation":
+        made, colors = _rotate(slots)
+    else:
+        made = subdivide(slots, np.arange(len(slots)), max(wang.colors))
+        colors = max(wang.colors) + len(slots) + 1
+    if not len(made):
+        raise TilewrightValueError(
+            f"no tiles of the {wang.name} set fit together; there is nothing to translate"
+        )
+    return TileSet(CORNER, made, (int(colors),) * 4, f"{wang.name}, {construction}")
+
+
+def translation_is_sound(wang: TileSet, construction: str) -> bool:
+    """Whether every tiling by the translated set comes from one tiling by the Wang set.
+
+    So it is where the N and S colors of a Wang tile determine the tile (horizontal translation), or its E
+    and W colors (vertical). Lagae 2007, section 8.3.2, asks less: that different pairs of tiles give
+    different corner tiles. Then two neighbors may take the Wang tile between them for different ones.
+    """
+    slots = wang_slots(wang)
+    check_choice("construction", construction, ("horizontal", "vertical"))
+    kept = slots[:, [0, 2]] if construction == "horizontal" else slots[:, [1, 3]]
+    return len(np.unique(kept, axis=0)) == len(slots)
+
+
+def subdivide(slots: Colors, centers: Colors, edge_colors: int) -> Colors:
+    """Four corner tiles for each Wang tile, its center colored as given (Lagae 2007, section 8.3.4).
+
+    The colors are those of the edges, then those of the centers, then one more for the corners. A corner tile
+    that several Wang tiles give is there once. Slots NE, SE, SW, NW.
+    """
+    n, e, s, w = slots.T
+    center = edge_colors + centers
+    star = np.full(len(slots), edge_colors + int(centers.max()) + 1)
+    quarters = [(n, center, w, star), (star, e, center, n), (e, star, s, center), (center, s, star, w)]
+    return distinct(np.concatenate([np.stack(quarter, axis=1) for quarter in quarters]))
+
+
+def beside(slots: Colors) -> tuple[Colors, Colors]:
+    """All pairs of tiles that fit side by side: indices of the west ones and of the east ones."""
+    return join(slots[:, 1], slots[:, 3])
+
+
+def above(slots: Colors) -> tuple[Colors, Colors]:
+    """All pairs of tiles that fit one above the other: indices of the north ones and of the south ones."""
+    return join(slots[:, 2], slots[:, 0])
+
+
+def blocks(slots: Colors) -> Colors:
+    """All valid 2 x 2 blocks, shape (B, 4): the tiles at NW, NE, SW, SE."""
+    west, east = beside(slots)
+    south_sides = _numbers(slots[west, 2], slots[east, 2])
+    north_sides = _numbers(slots[west, 0], slots[east, 0])
+    upper, lower = join(south_sides, north_sides)
+    return np.stack([west[upper], east[upper], west[lower], east[lower]], axis=1)
+
+
+def wang_slots(wang: TileSet) -> Colors:
+    """Slots N, E, S, W of a set of Wang tiles, as int64."""
+    shape = check_tiles("wang", wang).shape
+    if shape is not WANG:
+        raise TilewrightValueError(f"wang must be a set of Wang tiles, not of {shape.name} ones")
+    return wang.slots.astype(np.int64)
+
+
+def join(left: Colors, right: Colors) -> tuple[Colors, Colors]:
+    """All pairs of positions (i, j) with left[i] == right[j], ordered by i, then j."""
+    order = np.argsort(right, kind="stable")
+    ordered = right[order]
+    first = np.searchsorted(ordered, left, "left")
+    count = np.searchsorted(ordered, left, "right") - first
+    i = np.repeat(np.arange(len(left)), count)
+    within = np.arange(len(i)) - np.repeat(np.cumsum(count) - count, count)
+    return i, order[np.repeat(first, count) + within]
+
+
+def count_pairs(left: Colors, right: Colors) -> int:
+    """How many pairs `join` would find, for small numbers from 0 on."""
+    most = int(max(left.max(initial=0), right.max(initial=0))) + 1
+    return int(np.bincount(left, minlength=most) @ np.bincount(right, minlength=most))
+
+
+def distinct(rows: Colors) -> Colors:
+    """The rows, each once, in ascending order."""
+    return np.unique(rows, axis=0)
+
+
+def _numbers(a: Colors, b: Colors) -> Colors:
+    """One number for each pair of colors."""
+    return a.astype(np.int64) * 2**31 + b
+
+
+def _translate(slots: Colors, construction: str) -> Colors:
+    n, e, s, w = slots.T
+    if construction == "horizontal":
+        a, b = beside(slots)
+        pairs = np.stack([n[b], s[b], s[a], n[a]], axis=1)
+    else:
+        a, b = above(slots)
+        pairs = np.stack([e[a], e[b], w[b], w[a]], axis=1)
+    made = distinct(pairs)
+    if len(made) < len(pairs):
+        raise TilewrightValueError(
+            f"{construction} translation fails: {len(pairs)} different pairs of tiles give only {len(made)} "
+            "corner tiles; try rotation, which works for every set"
+        )
+    return made
+
+
+def _rotate(slots: Colors) -> tuple[Colors, int]:
+    """White tiles (one Wang tile) and black ones (the edges that meet at a vertex), and their colors.
+
+    A white tile's corners NE, SE, SW, NW are its edges N, E, S, W; a black one's are the edges that lead
+    north, east, south and west from the vertex. The two kinds alternate by themselves: only white tiles have
+    colors of N and S edges at NE and SW, only black ones have them at SE and NW.
+    """
+    level, n_s = np.unique(slots[:, [0, 2]], return_inverse=True)
+    upright, e_w = np.unique(slots[:, [1, 3]], return_inverse=True)
+    n, s = n_s.reshape(-1, 2).T
+    e, w = (e_w.reshape(-1, 2) + len(level)).T
+    white = np.stack([n, e, s, w], axis=1)
+    nw, ne, sw, _ = blocks(slots).T
+    black = np.stack([e[nw], s[ne], e[sw], s[nw]], axis=1)
+    return np.concatenate([white, distinct(black)]), len(level) + len(upright)
