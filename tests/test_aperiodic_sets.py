@@ -12,6 +12,7 @@ from tilewright.errors import TilewrightError, TilewrightWarning
 from tilewright.tiles import CORNER, WANG, TileSet, as_wang_tiles
 from tilewright.tiles.aperiodic import (
     APERIODIC_SETS,
+    MERGE_TO_24,
     MERGE_TO_26,
     MERGE_TO_31,
     PUBLISHED_ONLY,
@@ -38,6 +39,8 @@ LISTED = {
         1320 1321 2003 2020 2023 2100 2113 2120 2123 2320 2323 3031 3112 3230""",
     "jeandel-rao-26": """0001 0003 0013 0030 0100 0321 0323 0330 1003 1013 1030 1100 1223 2200 2201 2310 2311
         2322 2332 3033 3132 3211 3222 3311 3322 3332""",
+    "jeandel-rao-24": """0033 0123 0301 0311 1011 1032 1100 1101 1110 1122 1301 1311 2013 2223 2232 2233 2302
+        2313 3111 3113 3223 3230 3233 3331""",
 }
 
 
@@ -200,7 +203,7 @@ def quarters(tiles):
 
 def admissible(tiles, known):
     n_w, n_e, s_e, s_w = quarters(tiles)
-    colors = range(3)
+    colors = range(2)
     return all(
         t in known
         for t in product(colors, repeat=4)
@@ -210,8 +213,8 @@ def admissible(tiles, known):
 
 def test_groupings_are_the_best_of_all_partitions():
     rng = np.random.default_rng(3)
-    for _ in range(5):
-        wang = TileSet(WANG, tw.wang_tiles(3).slots[rng.choice(81, 6, replace=False)], (3,) * 4)
+    for _ in range(12):
+        wang = TileSet(WANG, tw.wang_tiles(2).slots[rng.choice(16, 6, replace=False)], (2,) * 4)
         t = [tuple(map(int, row)) for row in wang.slots]
         good = [p for p in partitions(t) if all(admissible(part, set(t)) for part in p)]
         best = min((sum(len(q) for part in p for q in quarters(part)), len(p)) for p in good)
@@ -225,15 +228,19 @@ def test_groupings_of_the_named_sets():
     assert sizes == {"culik-13": 46, "kari-14": 49, "jeandel-rao-11-4": 37, "jeandel-rao-11-5": 37}
 
 
-def test_31_and_26_tiles_lift():
-    found = check_lifting(aperiodic_tiles("jeandel-rao-31"), aperiodic_tiles("jeandel-rao-34"), MERGE_TO_31)
-    assert (found.blocks, found.unique, found.larger, found.lifted) == (196, 196, 376, 376)
-    assert found.holds
+def test_31_26_and_24_tiles_lift():
     diagonal = drop_idle(as_corner_tiles(aperiodic_tiles("jeandel-rao-11-5"), "diagonal"))
-    assert len(diagonal) == 55
-    found = check_lifting(aperiodic_tiles("jeandel-rao-26"), diagonal, MERGE_TO_26)
-    assert (found.blocks, found.unique, found.larger, found.lifted) == (219, 219, 525, 525)
-    assert found.holds
+    twice = drop_idle(as_corner_tiles(as_wang_tiles(diagonal), "diagonal"))
+    assert (len(diagonal), len(twice)) == (55, 129)
+    for merged, original, mapping, size, counts in (
+        ("jeandel-rao-31", aperiodic_tiles("jeandel-rao-34"), MERGE_TO_31, 3, (196, 196, 376, 376)),
+        ("jeandel-rao-26", diagonal, MERGE_TO_26, 3, (219, 219, 525, 525)),
+        ("jeandel-rao-24", twice, MERGE_TO_24, 3, (237, 215, 526, 526)),
+        ("jeandel-rao-24", twice, MERGE_TO_24, 5, (1025, 1025, 1746, 1746)),
+    ):
+        found = check_lifting(aperiodic_tiles(merged), original, mapping, size)
+        assert (found.blocks, found.unique, found.larger, found.lifted) == counts
+        assert found.holds == (found.unique == found.blocks)
 
 
 @pytest.mark.parametrize("mapping", [(0,) * 9, (0, 1, 2, 3, 4, 0, 1, 2, 3)])

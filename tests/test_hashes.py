@@ -110,10 +110,20 @@ def test_colors_are_even_for_any_number_of_them(name, count):
         (lambda h: h.words(-1, 1), "stream is -1"),
         (lambda h: h.words(2**32, 1), "stream is 4294967296"),
         (lambda h: h.colors(0, 0, 1), "count is 0"),
-        (lambda h: h.colors(257, 0, 1), "count is 257"),
+        (lambda h: h.colors(2**15 + 1, 0, 1), "count is 32769"),
     ],
 )
 @pytest.mark.parametrize("made", [tw.MixerHash, tw.PermutationHash, tw.LongPeriodHash])
 def test_bad_points_get_one_clear_line(made, ask, message):
     with pytest.raises(tw.TilewrightError, match=message):
         ask(made(1))
+
+
+def test_more_colors_than_a_byte_holds_are_even_too():
+    axes = np.arange(500), np.arange(-300, 300)
+    for count, kind in ((320, np.uint16), (2**15, np.uint16), (256, np.uint8)):
+        colors = tw.MixerHash(4).grid(count, 0, *axes)
+        assert colors.dtype == kind
+        assert np.array_equal(colors, tw.MixerHash(4).colors(count, 0, axes[0], axes[1][:, None]))
+        halves = np.bincount(colors.ravel() * np.uint32(16) // count, minlength=16)
+        assert np.ptp(halves) < 0.04 * halves.mean()

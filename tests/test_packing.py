@@ -59,6 +59,26 @@ def test_the_wang_packing_nests_the_one_over_a_color_less(c):
     )
 
 
+@pytest.mark.parametrize(("free", "shape"), [((0, 2), "wang"), ((1, 3), "wang"), ((0, 1), "domino")])
+def test_sets_of_more_than_256_colors_have_packings_and_direct_tilings(free, shape):
+    slots = np.zeros((300**2, 4 if shape == "wang" else 2), int)
+    slots[:, free] = np.indices((300, 300)).reshape(2, -1).T
+    tiles = tw.tile_set(slots, shape)
+    assert tiles.is_complete
+    packed = tw.packing(tiles)
+    given = np.arange(300**2)
+    places = packed.place(given)
+    assert np.array_equal(packed.tile(*places), given)
+    cells = packed.indices(*([0] * len(places)), *packed.size)
+    assert np.array_equal(np.sort(cells.ravel()), given)
+    kinds = ["edge-hash"] + ["two-hashes"] * (shape == "wang")
+    for wang in kinds:
+        window = (120, 120) if shape == "wang" else (14400,)
+        cells = tw.direct(tiles, 3, wang=wang).indices(*([7] * len(window)), *window)
+        assert first_mismatch(tiles, cells, torus=False) is None
+        assert len(np.unique(tiles.slots[cells])) == 300
+
+
 def test_cells_beyond_64_bits_are_refused():
     with pytest.raises(tw.TilewrightError, match=r"x holds 9223372036854775813"):
         tw.packing(tw.corner_tiles(3)).tile(2**63 + 5, 0)

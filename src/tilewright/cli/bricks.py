@@ -24,10 +24,8 @@ _MOST_CELLS = 2**24
 def command(
     output: Annotated[
         Path,
-        typer.Option(
-            "-o", "--output", help="FILE.png, .tif, .svg, .npy, or a folder of maps.", show_default=False
-        ),
-    ],
+        typer.Option("-o", "--output", help="FILE.png, .tif, .svg, .npy, or a folder of maps."),
+    ] = Path("wall.png"),
     width: Annotated[int | None, typer.Option(help="Cells; bricks are a cell on average.")] = None,
     height: Annotated[int | None, typer.Option(help="Cells.")] = None,
     x: Annotated[int, typer.Option(help="West cell; any place of an endless wall.")] = 0,

@@ -142,11 +142,10 @@ def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
     spec = oiio.ImageSpec(width, height, channels, kind)
     spec.attribute("oiio:UnassociatedAlpha", 1)
     spec.attribute("DateTime", NO_DATE)
-    spec.attribute(
-        "compression", {".exr": "zip", ".tif": "zip", ".tiff": "zip"}.get(path.suffix.lower(), "none")
-    )
     if path.suffix.lower() == ".png":
-        spec.attribute("png:compressionLevel", 6)
+        spec.attribute("png:compressionLevel", 4)
+    else:
+        spec.attribute("compression", "zip")
     with whole_file(path) as unfinished:
         output = oiio.ImageOutput.create(str(unfinished))
         if output is None:

@@ -12,6 +12,7 @@ import numpy as np
 
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.blocks import drop_idle
+from tilewright.tiles.families import as_wang_tiles
 from tilewright.tiles.merging import grouped_subdivision, merge_colors
 from tilewright.tiles.shape import CORNER, WANG
 from tilewright.tiles.tileset import TileSet
@@ -50,7 +51,7 @@ def aperiodic_tiles(name: str = "jeandel-rao-11-5") -> TileSet:
         Wang sets, slots N, E, S, W: ``"culik-13"``, ``"kari-14"``, ``"ammann-16"``, ``"jeandel-rao-11-4"``,
         ``"jeandel-rao-11-5"``. Corner sets, slots NE, SE, SW, NW: ``"jeandel-rao-36"`` (rotation),
         ``"jeandel-rao-34"``, ``"jeandel-rao-37"`` (subdivision), ``"jeandel-rao-31"``, ``"jeandel-rao-26"``,
-        the smallest, and ``"lagae-44"``, which was published as aperiodic and is not.
+        ``"jeandel-rao-24"``, and ``"lagae-44"``, which was published as aperiodic and is not.
 
     Raises
     ------
@@ -109,6 +110,11 @@ MERGE_TO_31 = (0, 1, 2, 0, 0, 3, 0, 3, 1)
 """The 4 colors of ``"jeandel-rao-31"`` that the 9 of ``"jeandel-rao-34"`` become."""
 MERGE_TO_26 = (0, 1, 0, 2, 1, 0, 0, 3, 3, 2, 3)
 """The 4 colors of ``"jeandel-rao-26"`` that the 11 tiles of ``"jeandel-rao-11-5"`` become."""
+MERGE_TO_24 = (
+    0, 1, 0, 0, 1, 1, 1, 2, 2, 1, 1, 1, 1, 1, 1, 1, 1, 1, 3, 3, 3, 3, 3, 2, 2, 2, 2, 2,
+    2, 2, 2, 2, 2, 2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 0, 0, 0, 0, 1, 1, 1, 3, 3, 3, 3, 3,
+)  # fmt: skip
+"""The 4 colors of ``"jeandel-rao-24"`` that the 55 blocks of 2 x 2 tiles of ``"jeandel-rao-11-5"`` become."""
 
 
 def _wang(name: str, table: Table) -> Callable[[], TileSet]:
@@ -144,9 +150,17 @@ def _merged_rotation() -> TileSet:
     return merge_colors(_rotated_in_use(), MERGE_TO_31, "jeandel-rao-31")
 
 
+def _diagonal_in_use() -> TileSet:
+    return drop_idle(as_corner_tiles(aperiodic_tiles("jeandel-rao-11-5"), "diagonal"))
+
+
 def _merged_diagonal() -> TileSet:
-    diagonal = as_corner_tiles(aperiodic_tiles("jeandel-rao-11-5"), "diagonal")
-    return merge_colors(drop_idle(diagonal), MERGE_TO_26, "jeandel-rao-26")
+    return merge_colors(_diagonal_in_use(), MERGE_TO_26, "jeandel-rao-26")
+
+
+def _merged_twice_diagonal() -> TileSet:
+    twice = drop_idle(as_corner_tiles(as_wang_tiles(_diagonal_in_use()), "diagonal"))
+    return merge_colors(twice, MERGE_TO_24, "jeandel-rao-24")
 
 
 _LISTED = (
@@ -211,11 +225,18 @@ _LISTED = (
     ),
     AperiodicSet(
         "jeandel-rao-26",
-        "computer-checked, unreviewed: every tiling lifts to one of jeandel-rao-11-5, see check_lifting; the "
-        "smallest published set has 30 tiles (Nurmi 2016)",
+        "computer-checked, unreviewed: every tiling lifts to one of jeandel-rao-11-5, see check_lifting",
         "diagonal translation of jeandel-rao-11-5 without tiles that none of its tilings has, its 11 colors "
         "merged to 4",
         _merged_diagonal,
+    ),
+    AperiodicSet(
+        "jeandel-rao-24",
+        "computer-checked, unreviewed: every tiling lifts to one of jeandel-rao-11-5, see check_lifting; the "
+        "smallest set in the literature has 30 tiles (Nurmi 2016)",
+        "diagonal translation of jeandel-rao-11-5, applied twice, without tiles that no tiling has; its 55 "
+        "colors, which are blocks of 2 x 2 tiles, merged to 4 by the two tiles on their west side",
+        _merged_twice_diagonal,
     ),
     AperiodicSet(
         "lagae-44",

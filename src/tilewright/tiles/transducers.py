@@ -18,7 +18,7 @@ from tilewright.tiles.shape import CORNER
 from tilewright.tiles.tileset import TileSet, check_tiles
 from tilewright.tiles.translations import count_pairs, join, wang_slots
 
-_MOST_TRANSITIONS = 10_000_000
+_MOST_TRANSITIONS = 4_000_000
 _MOST_ROWS = 64
 
 Numbers = NDArray[np.int64]
@@ -61,7 +61,7 @@ class Transducer:
         Raises
         ------
         TilewrightValueError
-            There would be more than 10 million transitions.
+            There would be more than 4 million transitions.
         """
         pairs = count_pairs(self.write, below.read)
         if pairs > _MOST_TRANSITIONS:

@@ -3,8 +3,17 @@
 from tilewright.tilings.density import DensityTiling, density_tiling
 from tilewright.tilings.direct import DirectTiling, direct
 from tilewright.tilings.domain import Domain
+from tilewright.tilings.filling import fill
 from tilewright.tilings.hashes import LatticeHash, LongPeriodHash, MixerHash, PermutationHash
 from tilewright.tilings.packing import Packing, packing
+from tilewright.tilings.packing_search import (
+    PackingSearch,
+    classify_packings,
+    count_packings,
+    find_packing,
+)
+from tilewright.tilings.periods import periodic_tiling
+from tilewright.tilings.recursive_packing import extend_packing, recursive_packing
 from tilewright.tilings.scanline import scanline
 from tilewright.tilings.stochastic import stochastic
 from tilewright.tilings.tiling import ArrayTiling, Tiling, array_tiling, first_mismatch
@@ -18,13 +27,21 @@ __all__ = [
     "LongPeriodHash",
     "MixerHash",
     "Packing",
+    "PackingSearch",
     "PermutationHash",
     "Tiling",
     "array_tiling",
+    "classify_packings",
+    "count_packings",
     "density_tiling",
     "direct",
+    "extend_packing",
+    "fill",
+    "find_packing",
     "first_mismatch",
     "packing",
+    "periodic_tiling",
+    "recursive_packing",
     "scanline",
     "stochastic",
 ]

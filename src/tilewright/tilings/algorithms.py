@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 from tilewright.tiles import TileSet
 from tilewright.tilings.chains import Chains, Span, closed_walks, meet, open_walks
 from tilewright.tilings.domain import fold
-from tilewright.tilings.hashes import LatticeHash, as_grid
+from tilewright.tilings.hashes import Colors, LatticeHash, as_grid
 
-Colors = NDArray[np.uint8]
 Slots = tuple[Colors, ...]
 _FIRST, _SECOND, _MARKS, _BITS = 0, 1, 4, 5
 """Streams of the hash; 2 and 3 belong to chains, 8 and 9 to densities and scanline tilings."""
@@ -143,6 +142,8 @@ def two_hashes(at: Lattice) -> Slots:
     c_h, c_v = at.tiles.colors[:2]
     h = at.hash.grid(c_h, _FIRST, at.points(0), at.points(1))
     v = at.hash.grid(c_v, _SECOND, at.points(0), at.points(1))
+    # Sums of two colors may not fit the type of one.
+    h, v = h.astype(np.uint32), v.astype(np.uint32)
     return _edge_slots([(v[:-1] + v[1:]) % c_v, (h[:, :-1] + h[:, 1:]) % c_h])
 
 

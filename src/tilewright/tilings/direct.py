@@ -78,7 +78,8 @@ class DirectTiling(SlotTiling):
         return Lattice(self.tiles, self.hash, self.domain.periods, start, extent)
 
     def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:
-        if isinstance(self.hash, MixerHash) and self.tiles.shape in (CORNER, WANG):
+        bytes_do = max(self.tiles.colors) <= 256  # for a color, as kernels keep it
+        if isinstance(self.hash, MixerHash) and self.tiles.shape in (CORNER, WANG) and bytes_do:
             at = self._lattice(start, tuple(reversed(out.shape)))
             if self.algorithm == "corners":
                 return _fill_corners(self.hash, at, out)

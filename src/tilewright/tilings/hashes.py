@@ -2,14 +2,16 @@
 
 from abc import ABC, abstractmethod
 from math import lcm
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
-from tilewright.tiles.tileset import as_integers
+from tilewright.tiles.tileset import MOST_COLORS, as_integers, slot_type
 
 Coordinates = NDArray[np.int64]
+Colors = NDArray[np.unsignedinteger[Any]]
 
 MULTIPLIERS = (0x21F0AAAD, 0xD35A2D97)
 """What the mixer multiplies by; shaders are filled from here, kernels repeat it."""
@@ -38,17 +40,17 @@ class LatticeHash(ABC):
     def range(self) -> int:
         """How many values `words` takes."""
 
-    def colors(self, count: int, stream: int, *point: ArrayLike) -> NDArray[np.uint8]:
+    def colors(self, count: int, stream: int, *point: ArrayLike) -> Colors:
         """Colors 0 up to ``count`` at lattice points x (, y, z); the coordinates are broadcast.
 
-        The word modulo ``count`` where that divides `range` (Lagae 2007, section 3.4.2), else a number
-        from several words, so that all colors are alike.
+        They are uint8, or uint16 for more than 256 colors: the word modulo ``count`` where that divides
+        `range` (Lagae 2007, section 3.4.2), else a number from several words, so that all colors are alike.
         """
         if self.range % count_colors(count) == 0:
-            return (self.words(stream, *point) % count).astype(np.uint8)
-        return ((self.numbers(stream, *point) * count) >> 24).astype(np.uint8)
+            return (self.words(stream, *point) % count).astype(slot_type((count,)))
+        return ((self.numbers(stream, *point) * count) >> 24).astype(slot_type((count,)))
 
-    def grid(self, count: int, stream: int, *axes: Coordinates) -> NDArray[np.uint8]:
+    def grid(self, count: int, stream: int, *axes: Coordinates) -> Colors:
         """Colors of the grid of columns x (, rows y, layers z), shape (len(x),) to (z, y, x)."""
         return self.colors(count, stream, *as_grid(axes))
 
@@ -99,14 +101,18 @@ class MixerHash(LatticeHash):
 
         points = np.broadcast_arrays(*check_point(stream, x, y, z))
         out = np.empty(points[0].size, np.uint32)
-        fill_words(*(np.ascontiguousarray(p).ravel() for p in points), stream, self.seed, out)
+        fill_words(*(np.array(p).ravel() for p in points), stream, self.seed, out)
         return out.astype(np.int64).reshape(points[0].shape)
 
-    def colors(self, count: int, stream: int, *point: ArrayLike) -> NDArray[np.uint8]:
-        return (((self.words(stream, *point) >> 8) * count_colors(count)) >> 24).astype(np.uint8)
+    def colors(self, count: int, stream: int, *point: ArrayLike) -> Colors:
+        numbers = self.words(stream, *point) >> 8
+        return ((numbers * count_colors(count)) >> 24).astype(slot_type((count,)))
 
-    def grid(self, count: int, stream: int, *axes: Coordinates) -> NDArray[np.uint8]:
+    def grid(self, count: int, stream: int, *axes: Coordinates) -> Colors:
         from tilewright.kernels.lattice import fill_colors
+
+        if count > 256:  # the kernel counts in bytes
+            return super().grid(count, stream, *axes)
 
         zero = np.zeros(1, np.int64)
         x, y, z = (*axes, zero, zero)[:3]
@@ -129,7 +135,7 @@ def _mix(h: int) -> int:
 
 def count_colors(count: int) -> int:
     """A number of colors a hash can give."""
-    return check_int("count", count, 1, 256)
+    return check_int("count", count, 1, MOST_COLORS)
 
 
 def check_point(

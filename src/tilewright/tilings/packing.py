@@ -22,7 +22,7 @@ from tilewright.tiles import (
     TileSet,
     encode,
 )
-from tilewright.tiles.tileset import as_integers, check_tiles
+from tilewright.tiles.tileset import as_integers, check_tiles, slot_type
 from tilewright.tilings.algorithms import Slots, corner_slots
 from tilewright.tilings.direct import SlotTiling
 from tilewright.tilings.domain import Domain, fold
@@ -65,9 +65,10 @@ class Packing(SlotTiling):
         """Colors of every slot of a window of tiles, one array like the window for each slot."""
         if self._color is None:
             cells = as_grid(tuple(fold(*span) for span in zip(start, extent, self.size, strict=True)))
-            return tuple(slot.astype(np.uint8) for slot in self._edges(cells))
+            return tuple(slot.astype(slot_type(self.tiles.colors)) for slot in self._edges(cells))
         ends = (fold(s, n + 1, p) for s, n, p in zip(start, extent, self.size, strict=True))
-        return corner_slots(self._color(*as_grid(tuple(ends)), self.tiles.colors[0]).astype(np.uint8))
+        colors = self._color(*as_grid(tuple(ends)), self.tiles.colors[0])
+        return corner_slots(colors.astype(slot_type(self.tiles.colors)))
 
     def tile(self, *cell: ArrayLike) -> Integers:
         """Index of the tile at cells x (, y, z); the arguments are broadcast."""

@@ -1,0 +1,84 @@
+"""Periodic tilings of any set: the smallest torus it tiles, or a proof that it tiles none up to a size."""
+
+import time
+
+from tilewright.errors import Progress, check_int, check_real
+from tilewright.tiles import TileSet
+from tilewright.tilings.clauses import Clauses, Undecided
+from tilewright.tilings.filling import add_tiling, check_square, read_tiling
+from tilewright.tilings.tiling import ArrayTiling
+
+_LONGEST = 64
+
+
+def periodic_tiling(
+    tiles: TileSet,
+    width: int,
+    height: int,
+    *,
+    seed: int = 0,
+    seconds: float | None = None,
+    progress: Progress | None = None,
+) -> ArrayTiling | None:
+    """The smallest torus that a set tiles, up to a size.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        Wang tiles, corner tiles or corner-coded ones.
+    width, height : int
+        The largest torus that is tried, 1 to 64 each.
+    seed : int
+        Which of its tilings, where there are several.
+    seconds : float, optional
+        After about so long in all, give up.
+    progress : callable, optional
+
+    Returns
+    -------
+    ArrayTiling or None
+        Of the torus with the fewest cells, the least wide of several; as a tiling of the plane it has its
+        sides as periods. None where it is proven that the set tiles no torus up to that size, which an
+        aperiodic set never does.
+
+    Raises
+    ------
+    Undecided
+        The time was up; the message says which sizes are left.
+    """
+    check_square(tiles)
+    check_int("seed", seed, 0, 2**64 - 1)
+    check_int("width", width, 1, _LONGEST)
+    check_int("height", height, 1, _LONGEST)
+    if seconds is not None:
+        check_real("seconds", seconds, 0, 1e9)
+    sizes = sorted(((w, h) for w in range(1, width + 1) for h in range(1, height + 1)), key=_size)
+    end = None if seconds is None else time.monotonic() + seconds
+    for done, (w, h) in enumerate(sizes):
+        if progress is not None:
+            progress(done, len(sizes), f"torus of {w} x {h}")
+        formula = Clauses()
+        chosen = add_tiling(formula, tiles, (h, w), torus=True)
+        try:
+            values = formula.solve(seconds=_left(end), seed=seed)
+        except Undecided:
+            raise Undecided(
+                f"no answer for a torus of {w} x {h} cells after {seconds:.0f} seconds; none smaller is tiled"
+            ) from None
+        if values is not None:
+            return ArrayTiling(tiles, read_tiling(values, chosen), torus=True)
+    return None
+
+
+def _left(end: float | None) -> float | None:
+    """Seconds until a time; where that is past, an end of the search."""
+    if end is None:
+        return None
+    left = end - time.monotonic()
+    if left < 0:
+        raise Undecided
+    return left
+
+
+def _size(size: tuple[int, int]) -> tuple[int, int]:
+    return size[0] * size[1], size[0]
