@@ -10,7 +10,7 @@ from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Most
 from tilewright.tilings.dappled.surgery import is_remark
 from tilewright.tilings.domain import Domain
 
-SIDE = 64
+SIDE = 256
 """Cells along the side of the blocks that are rectified by themselves."""
 _STREAM = 14
 """Stream of the hash for a random start."""
@@ -77,7 +77,7 @@ def endless_dapple(
 ) -> EndlessDapple:
     """A dappled tiling of the endless plane whose cells depend on their place and the seed only.
 
-    The plane is cut into blocks of 64 x 64 cells. The first two rows and columns of each alternate, as in
+    The plane is cut into blocks of 256 x 256 cells. The first two rows and columns of each alternate, as in
     remark 3.4 of Kaji et al. 2016, and depend on the start alone; so every block can be rectified by itself
     (section 6 (5)), and blocks run in parallel.
 
