@@ -9,7 +9,19 @@ from typing import Annotated
 import typer
 
 from tilewright import __version__
-from tilewright.cli import analyze, aperiodic, bricks, compare, export, pack, points, render, texture, view
+from tilewright.cli import (
+    analyze,
+    aperiodic,
+    bricks,
+    compare,
+    dapple,
+    export,
+    pack,
+    points,
+    render,
+    texture,
+    view,
+)
 from tilewright.cli.options import Ending
 from tilewright.errors import TilewrightError, TilewrightWarning
 
@@ -42,7 +54,7 @@ def _root(
         raise typer.Exit(2)
 
 
-for command in (texture, render, view, points, analyze, compare, pack, bricks, aperiodic, export):
+for command in (texture, render, view, points, analyze, compare, pack, dapple, bricks, aperiodic, export):
     app.command(command.__name__.rsplit(".", 1)[-1])(command.command)
 
 

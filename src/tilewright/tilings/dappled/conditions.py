@@ -63,8 +63,10 @@ class Conditions:
 
     def __init__(self, limits: "Mapping[str, Most] | Conditions", tiles: int | None = None) -> None:
         self.limits: tuple[Limit, ...]
+        self.tiles: int
         if isinstance(limits, Conditions):
             self.limits = limits.limits
+            tiles = limits.tiles if tiles is None else tiles
         elif isinstance(limits, Mapping):
             self.limits = tuple(_parse(name, most) for name, most in limits.items())
         else:

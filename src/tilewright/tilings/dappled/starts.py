@@ -1,16 +1,18 @@
 """Tilings to begin with: chance, or the light and dark of a picture."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_real
-from tilewright.tilings.dappled.conditions import Cells
+from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.hashes import MixerHash
 
 _STREAM = 15
 _MOST_SIDE = 65536
+_AT_ONCE = 2**20
+"""Cells that are drawn at once."""
 
 
 def random_start(width: int, height: int, shares: Sequence[float] = (0.5, 0.5), seed: int = 0) -> Cells:
@@ -38,14 +40,21 @@ def random_start(width: int, height: int, shares: Sequence[float] = (0.5, 0.5), 
         )
     most = np.cumsum(weights) / weights.sum() * 2.0**32
     out = np.empty((height, width), np.uint8)
-    hash = MixerHash(seed)
-    for y in range(height):
-        out[y] = np.searchsorted(most[:-1], hash.words(_STREAM, np.arange(width), y), side="right")
+    hash, x, rows = MixerHash(seed), np.arange(width), -(-_AT_ONCE // width)
+    for top in range(0, height, rows):
+        y = np.arange(top, min(top + rows, height))[:, np.newaxis]
+        out[top : top + rows] = np.searchsorted(most[:-1], hash.words(_STREAM, x, y), side="right")
     return out
 
 
 def start_from_image(
-    pixels: ArrayLike, width: int, height: int, tiles: int = 2, *, dither: bool = False
+    pixels: ArrayLike,
+    width: int,
+    height: int,
+    tiles: int = 2,
+    *,
+    dither: bool = False,
+    limits: Mapping[str, Most] | Conditions | None = None,
 ) -> Cells:
     """A tiling that follows a picture: dark parts get tile 0, light parts the last tile.
 
@@ -60,6 +69,9 @@ def start_from_image(
     dither : bool
         Whether the error of each cell is passed on to its neighbors (Floyd and Steinberg), so that grays
         become mixtures; otherwise every cell takes the nearest tile.
+    limits : mapping or Conditions, optional
+        Constant limits that the tiling is to be dappled by: tones are brought between the darkest and the
+        lightest mixture that they allow. Flat black, dithered and then dappled, would be a grid.
 
     Returns
     -------
@@ -70,13 +82,25 @@ def start_from_image(
     levels = check_int("tiles", tiles, 2, 256) - 1
     from PIL import Image
 
-    gray = Image.fromarray(_gray(pixels)).resize((width, height), Image.Resampling.BOX)
+    brightness = _gray(pixels)
+    if limits is not None:
+        brightness = _squeeze(brightness, Conditions(limits, tiles))
+    gray = Image.fromarray(brightness).resize((width, height), Image.Resampling.BOX)
     if not dither:
         return np.rint(np.asarray(gray) * levels).astype(np.uint8)
     shades = Image.new("P", (1, 1))
     shades.putpalette(np.repeat(np.rint(np.linspace(0, 255, levels + 1)), 3).astype(np.uint8).tobytes())
     eight_bits = Image.fromarray(np.rint(np.asarray(gray) * 255).astype(np.uint8)).convert("RGB")
     return np.array(eight_bits.quantize(palette=shades, dither=Image.Dither.FLOYDSTEINBERG))
+
+
+def _squeeze(brightness: np.ndarray, conditions: Conditions) -> np.ndarray:
+    """Tones between the darkest and the lightest mixture of tiles that the limits allow."""
+    longest = np.minimum(*(conditions.table(axis, (1, 1))[:, 0, 0] for axis in (0, 1)))
+    # At least so much of a line is of other tiles, the next one at best.
+    others = 1 / (longest + 1.0) / (conditions.tiles - 1)
+    darkest, lightest = others[0], 1 - others[-1]
+    return (darkest + (lightest - darkest) * brightness).astype(np.float32)
 
 
 def _gray(pixels: ArrayLike) -> np.ndarray:
