@@ -195,7 +195,6 @@ def test_the_command_writes_what_the_name_says(tmp_path):
 @pytest.mark.parametrize(
     ("message", "options"),
     [
-        ("give --width and --height", ()),
         ("--width is 0", ("--width", 0, "--height", 3)),
         ("ask for different walls", ("--boundary", "no.npz", "--cyclic")),
         ("is no .npz file", ("--boundary", "no.npz")),

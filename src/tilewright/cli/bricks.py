@@ -26,8 +26,8 @@ def command(
         Path,
         typer.Option("-o", "--output", help="FILE.png, .tif, .svg, .npy, or a folder of maps."),
     ] = Path("wall.png"),
-    width: Annotated[int | None, typer.Option(help="Cells; bricks are a cell on average.")] = None,
-    height: Annotated[int | None, typer.Option(help="Cells.")] = None,
+    width: Annotated[int | None, typer.Option(help="Cells, 12; bricks are a cell on average.")] = None,
+    height: Annotated[int | None, typer.Option(help="Cells, 20.")] = None,
     x: Annotated[int, typer.Option(help="West cell; any place of an endless wall.")] = 0,
     y: Annotated[int, typer.Option(help="North cell.")] = 0,
     pattern: Annotated[
@@ -86,15 +86,15 @@ def command(
         _refuse("a region", {"--input": input, "--cyclic": cyclic, "--pattern": pattern != "wang"})
         wall = _region(mask, boundary, (width, height), positions, longest, seed)
         width, height = wall.cells.shape[::-1]
-    elif width is None or height is None:
-        raise TilewrightValueError("give --width and --height, in cells")
-    elif pattern != "wang":
-        _refuse("--pattern", {"--input": input})
-        wall = BondBricks(pattern, size, (width, height) if cyclic else (None, None))
-    elif input is not None or cyclic:
-        wall = _dappled(input, (width, height), positions, longest, cyclic, seed)
     else:
-        wall = endless_bricks(positions, lattice_seed, longest=longest)
+        width, height = width or 12, height or 20
+        if pattern != "wang":
+            _refuse("--pattern", {"--input": input})
+            wall = BondBricks(pattern, size, (width, height) if cyclic else (None, None))
+        elif input is not None or cyclic:
+            wall = _dappled(input, (width, height), positions, longest, cyclic, seed)
+        else:
+            wall = endless_bricks(positions, lattice_seed, longest=longest)
     if output.suffix == ".npy":
         _save_cells(output, wall, (x, y, width, height))
     else:
