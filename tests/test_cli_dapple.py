@@ -195,7 +195,7 @@ def test_arcs_and_strokes_join_what_they_should():
         (["--share", "1", "--tiles", "2"], "--share was given 1 times"),
         (["--colors", "#ff0000"], "the 2 tiles need 2"),
         (["--motif", "arcs", "--tiles", "3"], "arcs are of two tiles"),
-        (["--pins", "missing.npy"], "no .npy file of tiles"),
+        (["--pins", "missing.npy"], "missing.npy does not exist"),
         (["-o", "a.jpg"], "allowed are .png, .svg, .npy, .cnf"),
     ],
 )

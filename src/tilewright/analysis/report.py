@@ -11,7 +11,7 @@ from tilewright.analysis.repetition import lattice_share, same_place_share, tile
 from tilewright.analysis.sample import Sample, lay_sample
 from tilewright.analysis.seams import cut_line_ratio, edge_cut_share, tone_step_ratio, worst_tile_ratio
 from tilewright.analysis.structure import seam_novelty, used_share
-from tilewright.errors import Progress, TilewrightTypeError, check_choice, check_int
+from tilewright.errors import Progress, TilewrightTypeError, check_choice, check_seed
 from tilewright.files.whole import as_path, check_file, whole_file
 from tilewright.signals.textures import TextureTiles
 
@@ -122,7 +122,7 @@ def analyze_texture(
         raise TilewrightTypeError(
             f"material must be TextureTiles, PointTiles or a PointSet, not {type(material).__name__}"
         )
-    seed = check_int("seed", seed, 0, 2**64 - 1)
+    seed = check_seed(seed)
     sample = lay_sample(material, cells, seed)
     figures: dict[str, float] = {}
 

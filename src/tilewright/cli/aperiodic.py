@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tilewright.cli.options import Json, Seed, progress_bar, report
-from tilewright.errors import TilewrightFileError, TilewrightValueError
+from tilewright.errors import TilewrightValueError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -143,19 +143,10 @@ def _named_set(name: str) -> "tuple[TileSet, dict[str, Any]]":
 
 
 def _own_set(path: Path, shape: str) -> "tuple[TileSet, dict[str, Any]]":
-    import numpy as np
-
+    from tilewright.files.tables import read_table
     from tilewright.tiles import tile_set
 
-    try:
-        if path.suffix == ".npy":
-            slots = np.load(path, allow_pickle=False)
-        else:
-            slots = np.loadtxt(path, dtype=np.int64, delimiter=",", ndmin=2)
-    except (OSError, ValueError, EOFError):
-        raise TilewrightFileError(
-            f"{path} is no table of whole numbers; expected a row of colors, with commas, for every tile"
-        ) from None
+    slots = read_table(path, "a table of whole numbers, a row of colors with commas for every tile")
     return tile_set(slots, shape, name=path.stem), {"name": str(path)}
 
 

@@ -3,12 +3,11 @@
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
-from zipfile import BadZipFile
 
 import typer
 
 from tilewright.cli.options import Json, LatticeSeed, Seed, progress_bar, report
-from tilewright.errors import TilewrightFileError, TilewrightValueError, check_choice, check_int
+from tilewright.errors import TilewrightFileError, TilewrightValueError, check_choice, check_int, check_seed
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -35,7 +34,8 @@ def command(
     ] = "wang",
     positions: Annotated[int, typer.Option(help="Where joints may meet an edge, 2 to 16.")] = 3,
     longest: Annotated[
-        tuple[int, int], typer.Option(help="Most cells that a joint runs on, along x and along y.")
+        tuple[int, int],
+        typer.Option(help="Most cells that a joint runs along x and along y; endless, 2 to 8."),
     ] = (3, 3),
     input: Annotated[
         Path | None, typer.Option(help="Picture to follow: joints run along x where it is dark.")
@@ -50,8 +50,12 @@ def command(
     mortar: Annotated[int | None, typer.Option(help="Pixels between bricks.")] = None,
     bevel: Annotated[float | None, typer.Option(help="Pixels of the rounded edge of a brick.")] = None,
     map: Annotated[
-        str, typer.Option(help="Of a picture: preview, color, height, normal, roughness, mortar, id.")
-    ] = "preview",
+        str | None,
+        typer.Option(
+            help="Of a picture: preview, the default, color, height, normal, roughness, mortar, id.",
+            show_default=False,
+        ),
+    ] = None,
     lines: Annotated[bool, typer.Option(help="Of an SVG: the joints as lines.")] = False,
     lattice_seed: LatticeSeed = 0,
     seed: Seed = 0,
@@ -77,6 +81,9 @@ def command(
 
     started = time.perf_counter()
     check_choice("--pattern", pattern, ("wang", *BONDS))
+    kind = output.suffix.lower()
+    _check_numbers(size, x, y, seed, longest)
+    _refuse_unused(kind, map, lines)
     style = BrickStyle(colors, mortar=mortar, bevel=bevel)
     for option, cells in (("--width", width), ("--height", height)):
         if cells is not None:
@@ -84,8 +91,13 @@ def command(
     wall: Tiling | BrickRegion | BrickPattern
     if mask is not None or boundary is not None:
         _refuse("a region", {"--input": input, "--cyclic": cyclic, "--pattern": pattern != "wang"})
-        wall = _region(mask, boundary, (width, height), positions, longest, seed)
+        asked = width, height
+        wall = _region(mask, boundary, asked, positions, longest, seed)
         width, height = wall.cells.shape[::-1]
+        if any(given not in (None, there) for given, there in zip(asked, (width, height), strict=True)):
+            raise TilewrightValueError(
+                f"--boundary is of {width} x {height} cells; leave --width and --height out"
+            )
     else:
         width, height = width or 12, height or 20
         if pattern != "wang":
@@ -95,20 +107,60 @@ def command(
             wall = _dappled(input, (width, height), positions, longest, cyclic, seed)
         else:
             wall = endless_bricks(positions, lattice_seed, longest=longest)
-    if output.suffix == ".npy":
+    _check_inside(wall, (x, y), (width, height))
+    if kind == ".npy":
         _save_cells(output, wall, (x, y, width, height))
     else:
         field = BrickField(
             wall, style, size=None if isinstance(wall, BondBricks) else size, seed=lattice_seed
         )
         window = (x * size[0], y * size[1], width * size[0], height * size[1])
-        _draw(output, field, window, map, lines)
+        _draw(output, field, window, map or "preview", lines)
     seconds = time.perf_counter() - started
     report(
         {"file": str(output), "width": width, "height": height, "seconds": round(seconds, 3)},
         json,
         f"{output}: {width} x {height} cells in {seconds:.1f} s",
     )
+
+
+def _check_numbers(size: tuple[int, int], x: int, y: int, seed: int, longest: tuple[int, int]) -> None:
+    """Numbers that the library would name otherwise, or not see."""
+    from tilewright.tilings.domain import LARGEST_CELL
+
+    for given in size:
+        check_int("--size", given, 1, 4096)
+    for option, first in (("--x", x), ("--y", y)):
+        check_int(option, first, -LARGEST_CELL, LARGEST_CELL)
+    for most in longest:
+        check_int("--longest", most, 1, 2**30)
+    check_seed(seed)
+
+
+def _refuse_unused(kind: str, map: str | None, lines: bool) -> None:
+    """Refuse options that would do nothing."""
+    from tilewright.fields.brick_field import MAPS
+
+    if map is not None:
+        check_choice("--map", map, ("preview", *MAPS))
+        if kind in (".svg", ".npy", ""):
+            raise TilewrightValueError(
+                f"--map is about a single picture, not {kind or 'a folder of all maps'}"
+            )
+    if lines and kind != ".svg":
+        raise TilewrightValueError("--lines is about an SVG; name a FILE.svg")
+
+
+def _check_inside(
+    wall: "Tiling | BrickRegion | BrickPattern", corner: tuple[int, int], extent: tuple[int, int]
+) -> None:
+    """Refuse a window that leaves a wall which ends, and one that no picture holds."""
+    from tilewright.tilings.bricks import BrickRegion
+
+    ends = isinstance(wall, BrickRegion) or wall.domain.kind == "rectangle"
+    if ends and corner != (0, 0):
+        raise TilewrightValueError("--x and --y are about walls that go on; this one ends at its sides")
+    check_int("--width times --height", extent[0] * extent[1], 1, _MOST_CELLS)
 
 
 def _refuse(option: str, others: dict[str, Any]) -> None:
@@ -145,15 +197,13 @@ def _region(
 
 def _read_boundary(path: Path) -> "dict[str, NDArray[Any]]":
     """The arrays ``horizontal`` and ``vertical`` of an .npz file."""
-    import numpy as np
+    from tilewright.files.tables import read_arrays
 
-    try:
-        with np.load(path) as file:
-            return {name: np.atleast_2d(file[name]) for name in ("horizontal", "vertical")}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, BadZipFile):
-        raise TilewrightFileError(
-            f"{path} is no .npz file that holds two arrays, horizontal (h + 1, w) and vertical (h, w + 1)"
-        ) from None
+    what = "two arrays, horizontal (h + 1, w) and vertical (h, w + 1), as a .npz file does"
+    found = read_arrays(path, ("horizontal", "vertical"), what)
+    if any(array.ndim != 2 for array in found.values()):
+        raise TilewrightFileError(f"{path} does not hold {what}")
+    return found
 
 
 def _dappled(

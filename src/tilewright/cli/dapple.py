@@ -1,6 +1,5 @@
 """tilewright dapple"""
 
-import math
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,10 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tilewright.cli.options import Json, Seed, parse_pairs, progress_bar, report
+from tilewright.cli.options import Json, Seed, parse_limits, progress_bar, report
 from tilewright.errors import (
     TilewrightFileError,
-    TilewrightTypeError,
     TilewrightValueError,
     check_choice,
     check_int,
@@ -188,16 +186,7 @@ def _conditions(limits: list[str], tiles: int | None, share: list[float] | None)
 
     if tiles is not None and share and len(share) != tiles:
         raise TilewrightValueError(f"--share was given {len(share)} times; there are {tiles} tiles")
-    given = {name: _longest(name, most) for name, most in parse_pairs("--limit", limits).items()}
-    return Conditions(given, len(share) if share and tiles is None else tiles)
-
-
-def _longest(name: str, most: str) -> int | float:
-    if most == "inf":
-        return math.inf
-    if not (most.isascii() and most.isdigit() and len(most) < 10):
-        raise TilewrightValueError(f"--limit {name} is {most!r}; allowed are 0, 1, 2, ... and inf")
-    return int(most)
+    return Conditions(parse_limits(limits), len(share) if share and tiles is None else tiles)
 
 
 def _shares(share: list[float] | None, conditions: "Conditions") -> list[float]:
@@ -289,17 +278,14 @@ def _completed(path: Path, conditions: "Conditions", cyclic: bool, seed: int, se
 
 
 def _read_pins(path: Path) -> "Cells":
-    """A partial tiling from a .npy file."""
-    import numpy as np
+    """A partial tiling from a .npy or .csv file."""
+    from tilewright.files.tables import read_table
 
-    try:
-        pins = np.load(path, allow_pickle=False)
-        _checked(*pins.shape[::-1])
-        return np.asarray(pins)
-    except (OSError, ValueError, EOFError, AttributeError, TilewrightTypeError, TypeError):
-        raise TilewrightFileError(
-            f"{path} is no .npy file of tiles, shape (height, width), up to {_MOST_CELLS:,} cells"
-        ) from None
+    what = f"tiles, -1 where any may be, shape (height, width), up to {_MOST_CELLS:,} cells"
+    pins = read_table(path, what)
+    if pins.ndim != 2 or not 0 < pins.size <= _MOST_CELLS or pins.dtype.kind not in "iu":
+        raise TilewrightFileError(f"{path} does not hold {what}")
+    return pins
 
 
 def _measure(cells: "Cells", conditions: "Conditions") -> dict[str, Any]:
@@ -317,7 +303,8 @@ def _measure(cells: "Cells", conditions: "Conditions") -> dict[str, Any]:
 def _count(extent: tuple[int, int], conditions: "Conditions", cyclic: bool, json: bool) -> None:
     from tilewright.tilings.dappled import count_dappled
 
-    number = count_dappled(*extent, conditions, cyclic=cyclic)
+    with progress_bar() as progress:
+        number = count_dappled(*extent, conditions, cyclic=cyclic, progress=progress)
     report({"width": extent[0], "height": extent[1], "count": number}, json, str(number))
 
 

@@ -16,6 +16,7 @@ from tilewright.cli import (
     compare,
     dapple,
     export,
+    flow,
     pack,
     points,
     render,
@@ -54,7 +55,20 @@ def _root(
         raise typer.Exit(2)
 
 
-for command in (texture, render, view, points, analyze, compare, pack, dapple, bricks, aperiodic, export):
+for command in (
+    texture,
+    render,
+    view,
+    points,
+    analyze,
+    compare,
+    pack,
+    dapple,
+    bricks,
+    flow,
+    aperiodic,
+    export,
+):
     app.command(command.__name__.rsplit(".", 1)[-1])(command.command)
 
 

@@ -4,7 +4,7 @@ import json
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from math import isfinite
+from math import inf, isfinite
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -67,6 +67,16 @@ def progress_bar() -> Iterator[Progress]:
             bar.update(task, completed=done, total=total, description=what)
 
         yield update
+
+
+def parse_limits(given: list[str]) -> dict[str, int | float]:
+    """``--limit NAME=NUMBER`` as limits of runs; the number may be inf."""
+    limits: dict[str, int | float] = {}
+    for name, most in parse_pairs("--limit", given).items():
+        if most != "inf" and not (most.isascii() and most.isdigit() and len(most) < 10):
+            raise TilewrightValueError(f"--limit {name} is {most!r}; allowed are 0, 1, 2, ... and inf")
+        limits[name] = inf if most == "inf" else int(most)
+    return limits
 
 
 def parse_pairs(option: str, given: list[str]) -> dict[str, str]:

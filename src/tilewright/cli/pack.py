@@ -6,7 +6,7 @@ from typing import Annotated, Any
 import typer
 
 from tilewright.cli.options import Json, Seed, progress_bar, report
-from tilewright.errors import TilewrightValueError, check_choice
+from tilewright.errors import TilewrightValueError, check_choice, check_seed
 
 _METHODS = ("closed", "search", "recursive")
 
@@ -56,6 +56,9 @@ def command(
         )
     if picture is not None and (output is None or output.suffix != ".svg"):
         raise TilewrightValueError("--picture is printed on the pieces of a puzzle; give it with -o FILE.svg")
+    check_seed(seed)
+    if engrave != "none" and (output is None or output.suffix != ".svg"):
+        raise TilewrightValueError("--engrave is about the pieces of a puzzle; give it with -o FILE.svg")
     chosen = make(colors)
     figures: dict[str, Any] = {"tiles": len(chosen)}
     words = []

@@ -76,10 +76,11 @@ class BrickField:
             raise TilewrightTypeError(f"style must be a BrickStyle, not {type(style).__name__}")
         if isinstance(pattern, BrickPattern) and size is not None:
             raise TilewrightValueError("size is for tilings; this pattern has a size of its own")
+        size = SIZE if size is None else size
         if isinstance(pattern, BrickRegion):
-            self.pattern: BrickPattern = RegionBricks(pattern, size or SIZE)
+            self.pattern: BrickPattern = RegionBricks(pattern, size)
         else:
-            self.pattern = pattern if isinstance(pattern, BrickPattern) else WangBricks(pattern, size or SIZE)
+            self.pattern = pattern if isinstance(pattern, BrickPattern) else WangBricks(pattern, size)
         self.style = style or BrickStyle()
         self.look = self.style.fit(self.pattern.course, self.pattern.thinnest)
         self.hash = MixerHash(seed)
@@ -113,7 +114,7 @@ class BrickField:
             with holes, ``color`` has a fourth channel, 0 in holes and 255 elsewhere, and ids are -1 in holes.
         """
         maps = tuple(check_choice("maps", name, MAPS) for name in maps)
-        self.pattern.check_window(x, y, width, height)
+        x, y, width, height = self.pattern.check_window(x, y, width, height)
         return self._render(x, y, width, height, maps)
 
     def preview(self, x: int = 0, y: int = 0, width: int = 1024, height: int = 1024) -> NDArray[np.uint8]:
@@ -121,7 +122,7 @@ class BrickField:
 
         A wall with holes has a fourth channel, as in `render`.
         """
-        self.pattern.check_window(x, y, width, height)
+        x, y, width, height = self.pattern.check_window(x, y, width, height)
         return self._preview(x, y, width, height)
 
     def bricks(self, x: int, y: int, width: int, height: int) -> Bricks:
@@ -155,7 +156,7 @@ class BrickField:
             ``"preview"`` or one of `MAPS`, for a single picture.
         """
         target = as_path(path)
-        self.pattern.check_window(x, y, width, height)
+        x, y, width, height = self.pattern.check_window(x, y, width, height)
         if target.suffix:
             check_choice("map", map, ("preview", *MAPS))
             self._stream(target, map, (x, y, width, height), progress)

@@ -64,7 +64,7 @@ class BrickPattern(ABC):
 
     def bricks(self, x: int, y: int, width: int, height: int) -> Bricks:
         """All bricks that touch a window of pixels; pixel (0, 0) is the north-west one of unit (0, 0)."""
-        self.check_window(x, y, width, height)
+        x, y, width, height = self.check_window(x, y, width, height)
         return self._find(x, y, width, height)
 
     def locate(self, x: int, y: int, width: int, height: int) -> tuple[NDArray[np.int32], Bricks]:
@@ -72,7 +72,7 @@ class BrickPattern(ABC):
 
         It is -1 where the wall has a hole.
         """
-        self.check_window(x, y, width, height)
+        x, y, width, height = self.check_window(x, y, width, height)
         index, found = self._locate(x, y, width, height)
         covered = self.covers(x, y, width, height)
         if covered is not None:
@@ -83,11 +83,11 @@ class BrickPattern(ABC):
         """Which pixels of a window the wall covers, shape (height, width); None where it has no holes."""
         return None
 
-    def check_window(self, x: int, y: int, width: int, height: int) -> None:
-        """Raise unless a window of pixels lies in the wall."""
+    def check_window(self, x: int, y: int, width: int, height: int) -> tuple[int, int, int, int]:
+        """A window of pixels as integers of any size; raise unless it lies in the wall."""
         for axis, (first, count) in enumerate(((x, width), (y, height))):
             name, extent = "xy"[axis], ("width", "height")[axis]
-            check_int(extent, count, 1, _LARGEST_SIDE)
+            count = check_int(extent, count, 1, _LARGEST_SIDE)
             bound = self.domain.bounds[axis]
             reach = LARGEST_CELL - _MARGIN
             low, high = ((-reach, reach) if bound is None else bound)[:2]
@@ -95,6 +95,7 @@ class BrickPattern(ABC):
             if bound is not None and count > high - low:
                 raise TilewrightValueError(f"{extent} is {count}; the wall has {high - low} pixels")
             check_int(name, first, low, high - count)
+        return int(x), int(y), int(width), int(height)
 
     def _locate(self, x: int, y: int, width: int, height: int) -> tuple[NDArray[np.int32], Bricks]:
         """`locate`, also a few pixels beyond a wall and into its holes, where the bricks at its rim go on."""

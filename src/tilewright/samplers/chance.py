@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tilewright.errors import check_int
+from tilewright.errors import check_seed
 
 Seed = int | np.random.Generator
 
@@ -11,7 +11,7 @@ def make_key(seed: Seed) -> np.uint64:
     """The key of a kernel's counter-based numbers, from a seed 0 to 2^64 - 1 or a generator."""
     if isinstance(seed, np.random.Generator):
         return np.uint64(seed.integers(0, 2**64, dtype=np.uint64))
-    return np.uint64(check_int("seed", seed, 0, 2**64 - 1))
+    return np.uint64(check_seed(seed))
 
 
 def derive_key(key: np.uint64, *path: int) -> np.uint64:

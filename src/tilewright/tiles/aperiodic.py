@@ -10,7 +10,7 @@ from functools import cache
 
 import numpy as np
 
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightValueError, check_choice
 from tilewright.tiles.blocks import drop_idle
 from tilewright.tiles.families import as_wang_tiles
 from tilewright.tiles.merging import grouped_subdivision, merge_colors
@@ -58,14 +58,12 @@ def aperiodic_tiles(name: str = "jeandel-rao-11-5") -> TileSet:
     TilewrightValueError
         There is no such set, or only its size was published.
     """
-    if name in PUBLISHED_ONLY:
+    if isinstance(name, str) and name in PUBLISHED_ONLY:
         raise TilewrightValueError(
             f"name is {name!r}; of this set only its size is known here: nobody's transcription of its tiles "
             f"was found. Allowed are {', '.join(APERIODIC_SETS)}"
         )
-    if not isinstance(name, str) or name not in APERIODIC_SETS:
-        raise TilewrightValueError(f"name is {name!r}; allowed are {', '.join(APERIODIC_SETS)}")
-    return _make(name)
+    return _make(check_choice("name", name, tuple(APERIODIC_SETS)))
 
 
 @cache

@@ -122,7 +122,7 @@ def _following(tiles: TileSet, axis: int, blocks: Blocks) -> tuple[NDArray[np.in
     if pairs > _MOST_BLOCKS:
         raise TilewrightValueError(
             f"the {tiles.name} set has {pairs} blocks that may occur, more than {_MOST_BLOCKS}; "
-            "ask for smaller ones"
+            "ask for smaller ones, or a smaller margin"
         )
     return join(first, second)
 

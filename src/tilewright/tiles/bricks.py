@@ -20,7 +20,6 @@ HORIZONTAL, VERTICAL = 0, 1
 """Classes of tiles: traversed along the row, W_H in the paper, and along the column, W_V."""
 
 
-@cache
 def brick_tiles(positions: int = 4) -> TileSet:
     """The brick Wang tiles W over n positions: 2 n^2 (n - 1) of them.
 
@@ -35,7 +34,11 @@ def brick_tiles(positions: int = 4) -> TileSet:
     TileSet
         In the order of N, E, S, W; the paper's (c1, c2, c3, c4) are W, N, E, S.
     """
-    n = check_positions(positions)
+    return _brick_tiles(check_positions(positions))
+
+
+@cache
+def _brick_tiles(n: int) -> TileSet:
     slots = decode(np.arange(n**4), (n,) * 4)
     north, east, south, west = slots.T
     return TileSet(WANG, slots[(north == south) != (east == west)], (n,) * 4, f"bricks-{n}")

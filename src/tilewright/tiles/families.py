@@ -9,7 +9,7 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_int
+from tilewright.errors import TilewrightValueError, check_choice, check_int
 from tilewright.tiles.shape import CORNER, CORNER_CODED, CORNER_CUBE, DOMINO, WANG, WANG_CUBE, Shape
 from tilewright.tiles.tileset import TileSet, check_colors, check_tiles, decode
 
@@ -197,9 +197,7 @@ def tile_set(slots: object, shape: str = "wang", *, name: str = "custom") -> Til
         ``"domino"``, ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"wang-cube"`` or ``"corner-cube"``.
     """
     shapes = {s.name: s for s in (DOMINO, WANG, CORNER, CORNER_CODED, WANG_CUBE, CORNER_CUBE)}
-    if shape not in shapes:
-        raise TilewrightValueError(f"shape is {shape!r}; allowed are {', '.join(shapes)}")
-    return TileSet(shapes[shape], slots, name=name)  # type: ignore[arg-type]
+    return TileSet(shapes[check_choice("shape", shape, tuple(shapes))], slots, name=name)  # type: ignore[arg-type]
 
 
 def as_wang_tiles(corners: TileSet) -> TileSet:

@@ -52,6 +52,8 @@ class TileSet:
     def __init__(
         self, shape: Shape, slots: ArrayLike, colors: tuple[int, ...] | None = None, name: str = "custom"
     ) -> None:
+        if not isinstance(shape, Shape):
+            raise TilewrightTypeError(f"shape must be a Shape such as WANG, not {type(shape).__name__}")
         table = as_integers("slots", slots)
         if table.ndim != 2 or table.shape[1] != len(shape.slots) or not len(table):
             raise TilewrightValueError(
@@ -194,7 +196,7 @@ def as_slots(given: ArrayLike, count: int) -> NDArray[Any]:
 
 def check_palette(colors: Any) -> tuple[int, ...]:
     """Numbers of colors, one for each slot."""
-    if isinstance(colors, str) or not hasattr(colors, "__len__") or not len(colors):
+    if isinstance(colors, str) or np.ndim(colors) != 1 or not np.size(colors):
         raise TilewrightTypeError(f"colors must be a tuple with a number for each slot, not {colors!r}")
     found = tuple(check_int("colors", c, 1, MOST_COLORS) for c in colors)
     if prod(found) > 2**62:

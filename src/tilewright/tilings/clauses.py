@@ -156,6 +156,7 @@ class Clauses:
 
     def violated(self, values: Truth) -> int | None:
         """Number of the first clause that the values make false, in the order of the DIMACS file; or None."""
+        values = np.asarray(values, bool)
         if values.shape != (self.count + 1,):
             raise TilewrightValueError(
                 f"values has shape {values.shape}; {self.count} variables need ({self.count + 1},)"

@@ -6,7 +6,7 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_choice, check_int
+from tilewright.errors import TilewrightValueError, check_choice, check_seed
 from tilewright.tiles import (
     CORNER,
     CORNER_CODED,
@@ -146,7 +146,7 @@ def direct(
         too few steps.
     """
     check_tiles("tiles", tiles)
-    check_int("seed", seed, 0, 2**64 - 1)
+    check_seed(seed)
     check_choice("wang", wang, ("edge-hash", "two-hashes"))
     algorithm = recognize(tiles)
     if algorithm is None:

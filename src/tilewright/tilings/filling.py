@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import Progress, TilewrightValueError, check_int
+from tilewright.errors import Progress, TilewrightValueError, check_int, check_progress, check_seed
 from tilewright.tiles import Shape, TileSet
 from tilewright.tiles.tileset import as_integers, check_tiles
 from tilewright.tilings.clauses import Clauses, Literals, Truth
@@ -58,7 +58,8 @@ def fill(
         The time was up.
     """
     check_square(tiles)
-    check_int("seed", seed, 0, 2**64 - 1)
+    check_seed(seed)
+    check_progress(progress)
     shape = (check_int("height", height, 1, _LONGEST), check_int("width", width, 1, _LONGEST))
     if width * height * len(tiles) > _MOST_VARIABLES:
         raise TilewrightValueError(

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_seed
 from tilewright.tiles.tileset import MOST_COLORS, as_integers, slot_type
 
 Coordinates = NDArray[np.int64]
@@ -76,7 +76,7 @@ class MixerHash(LatticeHash):
     period = None
 
     def __init__(self, seed: int = 0) -> None:
-        self.seed = np.uint64(check_int("seed", seed, 0, 2**64 - 1)).astype(np.int64)
+        self.seed = np.uint64(check_seed(seed)).astype(np.int64)
 
     @property
     def range(self) -> int:
@@ -179,7 +179,7 @@ class PermutationHash(LatticeHash):
     name = "permutation"
 
     def __init__(self, seed: int = 0, size: int = 256, *, nested: bool = True) -> None:
-        self.seed = check_int("seed", seed, 0, 2**64 - 1)
+        self.seed = check_seed(seed)
         self.size = check_int("size", size, 2, 65536)
         self.nested = nested
         self._tables: dict[tuple[int, int], NDArray[np.int64]] = {}

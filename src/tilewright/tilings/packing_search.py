@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError, check_int
+from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError, check_int, check_progress
 from tilewright.tiles import CORNER, WANG, TileSet, encode
-from tilewright.tiles.tileset import check_tiles
+from tilewright.tiles.tileset import as_integers, check_tiles
 from tilewright.tilings.tiling import ArrayTiling, Tiling
 
 Cells = NDArray[np.int32]
@@ -132,6 +132,7 @@ class PackingSearch:
         where the search is over.
         """
         wanted = 2**62 if most is None else check_int("most", most, 1, 2**31)
+        check_progress(progress)
         blocks = []
         while wanted > 0 and not self.is_over:
             found = self._search(min(wanted, _BLOCK))
@@ -176,8 +177,15 @@ class PackingSearch:
         }
 
     def _resume(self, checkpoint: Mapping[str, Any]) -> None:
+        if not isinstance(checkpoint, Mapping):
+            raise TilewrightTypeError(
+                f"checkpoint must be what checkpoint() gave, not {type(checkpoint).__name__}"
+            )
         order, state = self._order(), self._state()
-        given = {name: np.asarray(checkpoint[name]) for name in checkpoint}
+        try:
+            given = {name: np.asarray(checkpoint[name]) for name in checkpoint}
+        except ValueError:  # rows of several lengths
+            given = {}
         same = given.keys() == {*order, *state} and all(
             np.array_equal(given[name], array) for name, array in order.items()
         )
@@ -221,6 +229,7 @@ def find_packing(
             f"the set has {max(tiles.colors)} colors; packings are found by search for up to {_MOST_FOUND}. "
             "Use packing() or recursive_packing()"
         )
+    check_progress(progress)
     orders = np.random.default_rng(check_int("seed", seed, 0, _SEEDS))
     while True:
         search = PackingSearch(tiles, seed=int(orders.integers(_SEEDS)), nest=nest)
@@ -249,7 +258,7 @@ def classify_packings(tiles: TileSet, packings: ArrayLike) -> tuple[Cells, NDArr
     One packing of each class, int32 (classes, height, width), with tile 0 at cell (0, 0), the first of its
     class in the order of its tiles; and the class of each packing, int64 (packings,).
     """
-    cells = np.asarray(packings)
+    cells = as_integers("packings", packings)
     width, height = _size(_check_kind(tiles))
     if cells.shape[1:] != (height, width) or not _hold_every_tile(tiles, cells).all():
         raise TilewrightValueError(

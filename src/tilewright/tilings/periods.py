@@ -2,7 +2,7 @@
 
 import time
 
-from tilewright.errors import Progress, check_int, check_real
+from tilewright.errors import Progress, check_int, check_progress, check_real, check_seed
 from tilewright.tiles import TileSet
 from tilewright.tilings.clauses import Clauses, Undecided
 from tilewright.tilings.filling import add_tiling, check_square, read_tiling
@@ -47,7 +47,8 @@ def periodic_tiling(
         The time was up; the message says which sizes are left.
     """
     check_square(tiles)
-    check_int("seed", seed, 0, 2**64 - 1)
+    check_seed(seed)
+    check_progress(progress)
     check_int("width", width, 1, _LONGEST)
     check_int("height", height, 1, _LONGEST)
     if seconds is not None:

@@ -10,7 +10,14 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError, check_int, check_real
+from tilewright.errors import (
+    Progress,
+    TilewrightTypeError,
+    TilewrightValueError,
+    check_int,
+    check_progress,
+    check_real,
+)
 from tilewright.tiles import CORNER, WANG, TileSet, corner_tiles
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.clauses import Undecided
@@ -101,6 +108,7 @@ def extend_packing(
             f"smaller is of {smaller.tiles.shape.name} tiles; corner tiles are extended. For Wang tiles use "
             "recursive_packing()"
         )
+    check_progress(progress)
     if seconds is not None:
         check_real("seconds", seconds, 0, 1e9)
     rng = np.random.default_rng(check_int("seed", seed, 0, 2**63 - 1))

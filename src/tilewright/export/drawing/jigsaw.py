@@ -21,6 +21,7 @@ from tilewright.errors import (
 )
 from tilewright.export.drawing.svg import document, element, path_of, text
 from tilewright.export.drawing.tiles import color_of
+from tilewright.files.images import read_image
 from tilewright.files.whole import as_path
 from tilewright.tiles import CORNER, WANG
 from tilewright.tilings import Tiling
@@ -192,10 +193,8 @@ def _picture(path: str | os.PathLike[str] | None, width: float, height: float) -
     if path is None:
         return
     given = as_path(path)
-    try:
-        content = given.read_bytes()
-    except OSError as error:
-        raise TilewrightFileError(f"{given} cannot be read: {(error.strerror or '').lower()}") from None
+    read_image(given)  # refuses what is no picture, or not a whole one
+    content = given.read_bytes()
     kind = next((k for start, k in _SIGNATURES.items() if content.startswith(start)), None)
     if kind is None:
         raise TilewrightFileError(f"{given} is no PNG or JPEG file; expected one of these")

@@ -7,7 +7,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.files.whole import as_path, whole_file
 
 
@@ -48,6 +48,8 @@ def document(body: Iterable[str], width: float, height: float, *, unit: str = ""
 def save_svg(path: str | os.PathLike[str], drawing: str) -> Path:
     """Write a drawing to a file that ends in .svg, whole or not at all."""
     target = as_path(path)
+    if not isinstance(drawing, str):
+        raise TilewrightTypeError(f"drawing must be the text of an SVG file, not {type(drawing).__name__}")
     if target.suffix.lower() != ".svg":
         raise TilewrightValueError(f"{target} ends in {target.suffix or 'nothing'!r}; expected .svg")
     with whole_file(target) as unfinished:

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_choice
+from tilewright.errors import TilewrightValueError, check_choice, check_real
 from tilewright.export.drawing.svg import document, element, path_of
 from tilewright.fields.brick_field import BrickField
 from tilewright.fields.brick_patterns import BrickPattern, Bricks, RegionBricks
@@ -54,7 +54,8 @@ def draw_wall(
     """
     field = wall if isinstance(wall, BrickField) else BrickField(wall)
     check_choice("mode", mode, MODES)
-    field.pattern.check_window(x, y, width, height)
+    x, y, width, height = field.pattern.check_window(x, y, width, height)
+    check_real("scale", scale, 1e-4, 1e4)
     cells = width * height // (field.pattern.unit[0] * field.pattern.unit[1])
     if cells > MOST_CELLS:
         raise TilewrightValueError(

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tilewright import __version__
-from tilewright.errors import check_choice, check_int
+from tilewright.errors import check_choice, check_int, check_seed
 from tilewright.tiles import corner_tiles
 from tilewright.tilings import MixerHash, direct
 from tilewright.tilings.hashes import MULTIPLIERS
@@ -38,7 +38,7 @@ def start_states(seed: int) -> tuple[tuple[int, int], ...]:
     In the order x, y >= 0; x < 0 <= y; y < 0 <= x; x, y < 0. They are the states of the corner colors of
     ``direct(tiles, seed)`` after all but the low words of y and x, for coordinates within 32 bits.
     """
-    check_int("seed", seed, 0, 2**64 - 1)
+    check_seed(seed)
     hash = MixerHash(seed)
     return tuple(hash.start(x_high, y_high) for y_high in (0, -1) for x_high in (0, -1))
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
-from tilewright.errors import TilewrightTypeError, check_choice, check_int
+from tilewright.errors import TilewrightTypeError, check_choice, check_seed
 from tilewright.export.engines.folder import Kit, find_objection, prepare
 from tilewright.files.whole import whole_folder
 from tilewright.signals.textures import TextureTiles
@@ -57,7 +57,7 @@ def save_for_engine(material: TextureTiles, folder: str | Path, to: str, *, seed
     if not isinstance(material, TextureTiles):
         raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
     check_choice("to", to, TARGETS)
-    check_int("seed", seed, 0, 2**64 - 1)
+    check_seed(seed)
     kit = prepare(material, seed, atlas=to in _ATLAS, green="dx" if to in _GREEN_DOWN else "gl")
     write: Callable[[Path, Kit], None] = import_module(f"tilewright.export.engines.{to}").write
     with whole_folder(folder, find_objection) as unfinished:

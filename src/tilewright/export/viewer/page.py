@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from tilewright import __version__
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_seed
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.compared import describe_comparison, fill_comparison
 from tilewright.export.viewer.parts import fill, part
@@ -63,7 +63,7 @@ def save_viewer(
     page says from what to what). Mip levels of light are averaged linearly.
     """
     path = check_page(path)
-    check_int("seed", seed, 0, 2**64 - 1)
+    check_seed(seed)
     if compare is not None:
         _check_comparison(compare, material)
     page = _assemble(material, seed, path.stem, compare)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_seed
 from tilewright.signals.textures.brick_edges import check_traversed, find_thinnest, place_positions
 from tilewright.signals.textures.brick_painting import CHANCES, paint
 from tilewright.signals.textures.brick_style import BrickStyle
@@ -64,7 +64,7 @@ def brick_texture_tiles(
         raise TilewrightTypeError(f"style must be a BrickStyle, not {type(style).__name__}")
     style = replace(style or BrickStyle(), variation=0.0)
     size = check_int("tile_size", tile_size, 32, 1024)
-    check_int("seed", seed, 0, 2**64 - 1)
+    check_seed(seed)
     places = [place_positions(count, size) for count in tiles.colors[:2]]
     look = style.fit(size, find_thinnest(places, (size, size)))
     painted = []

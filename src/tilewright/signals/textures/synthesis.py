@@ -14,6 +14,7 @@ from tilewright.errors import (
     TilewrightWarning,
     check_choice,
     check_int,
+    check_seed,
 )
 from tilewright.signals.textures.diamonds import lay_burke, lay_diamonds, lay_diamonds_with_centers
 from tilewright.signals.textures.exemplar import Exemplar
@@ -102,7 +103,7 @@ def synthesize(
         The exemplar holds a copy of itself, or is periodic and the tile size is off its period; the set
         will take minutes.
     """
-    check_int("seed", seed, 0, 2**64 - 1)
+    check_seed(seed)
     workers = os.cpu_count() or 1 if threads is None else check_int("threads", threads, 1, 1024)
     if not isinstance(exemplar, Exemplar):
         raise TilewrightTypeError(f"exemplar must be an Exemplar, not {type(exemplar).__name__}")

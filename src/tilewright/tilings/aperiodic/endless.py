@@ -5,7 +5,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
 
-from tilewright.errors import TilewrightError, TilewrightValueError, TilewrightWarning, check_int
+from tilewright.errors import TilewrightError, TilewrightValueError, TilewrightWarning, check_seed
 from tilewright.tiles import TileSet
 from tilewright.tiles.aperiodic import MERGE_TO_24, MERGE_TO_26, MERGE_TO_31, aperiodic_tiles
 from tilewright.tiles.blocks import drop_idle
@@ -57,7 +57,7 @@ def aperiodic_tiling(tiles: TileSet, seed: int = 0) -> Tiling:
     Culik's by multiples of real numbers (Kari 1996, Culik 1996), corner tiles by the Wang tiles they are of.
     """
     check_tiles("tiles", tiles)
-    check_int("seed", seed, 0, 2**64 - 1)
+    check_seed(seed)
     wanted = _signature(tiles)
     make = next((m for group in (_wang, _named, _translations) if (m := group().get(wanted))), None)
     if make is None:

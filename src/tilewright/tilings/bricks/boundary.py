@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightValueError, check_int
+from tilewright.errors import TilewrightValueError, check_seed
 from tilewright.tiles import TileSet
 from tilewright.tiles.bricks import brick_tiles, number_bricks
 from tilewright.tiles.tileset import as_integers
@@ -108,7 +108,7 @@ def brick_region(
     tiles = brick_tiles(positions)
     n = tiles.colors[0]
     limits = check_longest(longest, 1, 64)
-    rng = np.random.default_rng(check_int("seed", seed, 0, 2**64 - 1))
+    rng = np.random.default_rng(check_seed(seed))
     inside = as_cells("mask", mask, "0 outside and 1 inside the region")
     if not inside.any():
         raise TilewrightValueError("mask has no cells; expected at least one that is True")

@@ -71,7 +71,10 @@ def brick_tiling(
 
 def as_cells(name: str, given: ArrayLike, meaning: str) -> NDArray[np.bool_]:
     """A rectangle of cells, each 0 or 1."""
-    cells = np.asarray(given)
+    try:
+        cells = np.asarray(given)
+    except ValueError:
+        raise TilewrightValueError(f"{name} is not a table of equally long rows") from None
     if cells.dtype != bool:
         cells = as_integers(name, given)
     if cells.ndim != 2 or not cells.size:

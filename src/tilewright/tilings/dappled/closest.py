@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import Progress, TilewrightValueError, check_int, check_real
+from tilewright.errors import Progress, TilewrightValueError, check_int, check_progress, check_real
 from tilewright.tilings.clauses import Undecided
 from tilewright.tilings.dappled.completing import Impossible
-from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Limit, Most
+from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Limit, Most, as_mapping
 from tilewright.tilings.dappled.dappling import as_fixed, dapple
 from tilewright.tilings.dappled.rules import open_strips
 from tilewright.tilings.dappled.surgery import as_problem
@@ -91,16 +91,17 @@ def closest_dapple(
         The time was up before any was found.
     """
     conditions, cells = as_problem(start, limits, tiles)
+    check_progress(progress)
     if seconds is not None:
         check_real("seconds", seconds, 0, 1e9)
     end = np.inf if seconds is None else time.monotonic() + seconds
-    kept = as_fixed(fixed, cells)
-    if cells.size <= WHOLE or totals:
+    kept, wanted = as_fixed(fixed, cells), _as_totals(totals, conditions)
+    if cells.size <= WHOLE or wanted:
         if cells.size > WHOLE:
             raise TilewrightValueError(
                 f"totals were given for {cells.size} cells; they are for tilings of up to {WHOLE} cells"
             )
-        problem = _Program(cells, ~kept, conditions, cyclic=cyclic, totals=_as_totals(totals, conditions))
+        problem = _Program(cells, ~kept, conditions, cyclic=cyclic, totals=wanted)
         tiling, bound = problem.solve(cells, end)
         return Closest(tiling, int((tiling != cells).sum()), bound)
     return _by_windows(cells, kept, conditions, cyclic, end, progress)
@@ -137,9 +138,10 @@ class _Program:
         for tile, (least, most) in (totals or {}).items():
             there = int((tiling[~open_] == tile).sum())
             self._add(np.arange(self.count)[None], [tile], least - there, most - there)
-        shape = (sum(map(len, self.least)), self.variables)
-        entries = (np.concatenate(self.signs), (np.concatenate(self.rows), np.concatenate(self.columns)))
-        self.matrix = coo_array(entries, shape=shape).tocsr()
+        if self.count and self.least:
+            entries = (np.concatenate(self.signs), (np.concatenate(self.rows), np.concatenate(self.columns)))
+            shape = (sum(map(len, self.least)), self.variables)
+            self.matrix = coo_array(entries, shape=shape).tocsr()
 
     @property
     def variables(self) -> int:
@@ -168,6 +170,8 @@ class _Program:
         """The tiling closest to ``wanted`` in the open cells, and how many of them must differ at least."""
         from scipy.optimize import Bounds, LinearConstraint, milp
 
+        if not self.count or not self.least:
+            return self._solve_freely(wanted)
         given = wanted[self.open].astype(np.int64)
         if self.tiles == 2:
             cost, constant = 1.0 - 2.0 * given, float(given.sum())
@@ -180,7 +184,7 @@ class _Program:
         rows = LinearConstraint(self.matrix, np.concatenate(self.least), np.concatenate(self.most))
         result = milp(
             cost.ravel(),
-            constraints=rows if self.matrix.shape[0] else (),
+            constraints=rows,
             integrality=np.ones(self.variables),
             bounds=Bounds(0, 1),
             options=options,
@@ -194,6 +198,16 @@ class _Program:
         tiling[self.open] = values if self.tiles == 2 else values.reshape(-1, self.tiles).argmax(axis=1)
         # Distances are whole numbers; the solver's bound is good to 1e-6.
         return tiling, max(0, int(np.ceil(result.mip_dual_bound + constant - 1e-4)))
+
+    def _solve_freely(self, wanted: Cells) -> tuple[Cells, int]:
+        """The same where no cell is open, or no rule is left: there is nothing to search."""
+        if any(
+            (least > 0).any() or (most < 0).any() for least, most in zip(self.least, self.most, strict=True)
+        ):
+            raise Impossible("no tiling meets the conditions; this is proven")
+        tiling = self.tiling.copy()
+        tiling[self.open] = wanted[self.open]
+        return tiling, 0
 
 
 def _by_windows(
@@ -250,7 +264,7 @@ def _inside(conditions: Conditions, window: Any, shape: tuple[int, ...]) -> Cond
 
 def _as_totals(totals: Totals | None, conditions: Conditions) -> dict[int, tuple[int, int]]:
     found = {}
-    for tile, given in (totals or {}).items():
+    for tile, given in as_mapping("totals", totals).items():
         tile = check_int("a tile of totals", tile, 0, conditions.tiles - 1)
         least, most = given if isinstance(given, tuple) and len(given) == 2 else (given, given)
         least = check_int("least of totals", least, 0, NEVER)

@@ -6,7 +6,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import Progress, TilewrightValueError
+from tilewright.errors import (
+    Progress,
+    TilewrightTypeError,
+    TilewrightValueError,
+    check_int,
+    check_progress,
+    check_seed,
+)
 from tilewright.tilings.clauses import Clauses
 from tilewright.tilings.dappled.conditions import (
     Cells,
@@ -19,6 +26,7 @@ from tilewright.tilings.dappled.conditions import (
 from tilewright.tilings.dappled.rules import write_formula
 
 _SHOWN = 8
+_MOST_WRITTEN = 2**23
 _NEAR = 4
 """How far around a run that is too long cells are opened at first, beyond the run itself."""
 
@@ -66,6 +74,8 @@ def complete_dapple(
         The time was up.
     """
     conditions = Conditions(limits, tiles)
+    check_seed(seed)
+    check_progress(progress)
     cells = as_cells("partial", partial, conditions.tiles if tiles is not None else 256, free=True)
     conditions = Conditions(conditions, max(conditions.tiles, int(cells.max()) + 1))
     formula = write_formula(cells, cells < 0, conditions, cyclic=cyclic)
@@ -149,14 +159,23 @@ def dapple_formula(
 
     With two tiles, variable 1 + y w + x says that cell (x, y) holds tile 1; with T tiles, variable
     1 + (y w + x) T + t says that it holds tile t, and more variables follow. Pins are clauses of one literal.
+    Up to 2^23 choices of a tile for a cell.
     """
     conditions = Conditions(limits, tiles)
+    if not isinstance(shape, (tuple, list)) or len(shape) != 2:
+        raise TilewrightTypeError(f"shape must be (height, width), not {shape!r}")
+    shape = (check_int("height", shape[0], 1, 65536), check_int("width", shape[1], 1, 65536))
+    if shape[0] * shape[1] * conditions.tiles > _MOST_WRITTEN:
+        raise TilewrightValueError(
+            f"{shape[1]} x {shape[0]} cells with {conditions.tiles} tiles are too many for a formula; "
+            "allowed are 2^23 choices of a tile for a cell"
+        )
     cells = np.full(shape, -1, np.int16)
     made = write_formula(cells, np.ones(shape, bool), conditions, cyclic=cyclic)
     if partial is not None:
         pins = as_cells("partial", partial, conditions.tiles, free=True)
-        if pins.shape != tuple(shape):
-            raise TilewrightValueError(f"partial has shape {pins.shape}; expected {tuple(shape)}")
+        if pins.shape != shape:
+            raise TilewrightValueError(f"partial has shape {pins.shape}; expected {shape}")
         made.clauses.add(made.variables[(pins >= 0).ravel(), pins[pins >= 0]][:, None])
     return made.clauses
 

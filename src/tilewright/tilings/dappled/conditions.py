@@ -154,6 +154,13 @@ def _brief(most: Any) -> str:
     return "inf" if most.size and most.item() >= NEVER else str(most.item() if most.size else "empty")
 
 
+def as_mapping(name: str, given: Any) -> Mapping[Any, Any]:
+    """A mapping, or an empty one for None."""
+    if given is not None and not isinstance(given, Mapping):
+        raise TilewrightTypeError(f"{name} must be a mapping such as {{0: 12}}, not {type(given).__name__}")
+    return given or {}
+
+
 def as_cells(name: str, given: ArrayLike, tiles: int, *, free: bool = False) -> NDArray[Any]:
     """A rectangle of tiles 0 to ``tiles`` - 1 as a new array [y, x]; -1 too where cells may be free."""
     truths = isinstance(given, np.ndarray) and given.dtype == bool

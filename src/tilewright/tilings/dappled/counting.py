@@ -5,10 +5,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from tilewright.errors import TilewrightValueError, check_int
-from tilewright.tilings.dappled.conditions import NEVER, Conditions, Most
+from tilewright.errors import Progress, TilewrightValueError, check_int, check_progress
+from tilewright.tilings.dappled.conditions import NEVER, Conditions, Most, as_mapping
 
 _MOST_STATES = 200_000
+_MOST_STEPS = 50_000_000
+"""Tiles laid on states: some minutes' work."""
 _MOST_SIDE = 10_000
 
 Track = tuple[int, int]
@@ -26,6 +28,7 @@ def count_dappled(
     cyclic: bool = False,
     tiles: int | None = None,
     totals: Mapping[int, int] | None = None,
+    progress: Progress | None = None,
 ) -> int:
     """The number of dappled tilings of a rectangle or torus, translations counted apart.
 
@@ -43,6 +46,8 @@ def count_dappled(
         Number of tiles.
     totals : mapping from tile to count, optional
         Count only tilings in which so many cells hold a tile (section 6 (6)).
+    progress : callable, optional
+        Called after every row.
 
     Returns
     -------
@@ -51,12 +56,13 @@ def count_dappled(
     Raises
     ------
     TilewrightValueError
-        Limits that vary, or more than 200,000 states.
+        Limits that vary, more than 200,000 states, or work for more than some minutes.
     """
+    check_progress(progress)
     check_int("width", width, 1, _MOST_SIDE)
     check_int("height", height, 1, _MOST_SIDE)
     conditions = Conditions(limits, tiles)
-    wanted = dict(sorted((totals or {}).items()))
+    wanted = dict(sorted(as_mapping("totals", totals).items()))
     for tile, count in wanted.items():
         check_int("a tile of totals", tile, 0, conditions.tiles - 1)
         check_int("a count of totals", count, 0, width * height)
@@ -65,8 +71,14 @@ def count_dappled(
         transfer.along, transfer.down = transfer.down, transfer.along
         width, height = height, width
     states: Counter[tuple] = Counter({((transfer.fresh(transfer.down),) * width, (0,) * len(wanted)): 1})
-    for _ in range(height):
+    for y in range(height):
+        if len(states) * width * conditions.tiles * (height - y) > _MOST_STEPS:
+            raise TilewrightValueError(
+                f"counting on from row {y} of {height} takes {len(states):,} states; ask for fewer cells"
+            )
         states = transfer.row(states, width)
+        if progress is not None:
+            progress(y + 1, height, "counting rows")
     asked = tuple(wanted.values())
     return sum(
         number

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_seed
 from tilewright.tilings.dappled.completing import mend
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.dappled.surgery import as_problem, rectify, refusal
@@ -40,7 +40,7 @@ def dapple(
     fixed : array-like of bool, shape (height, width), optional
         Cells that must keep their tile.
     seed : int
-        What the solver tries first where it is free.
+        0 to 2^64 - 1: what the solver tries first where it is free.
 
     Returns
     -------
@@ -52,6 +52,7 @@ def dapple(
         No tiling meets the conditions (and has the fixed cells); this is proven.
     """
     conditions, cells = as_problem(start, limits, tiles)
+    check_seed(seed)
     kept = as_fixed(fixed, cells)
     sweeps = not kept.any() and refusal(conditions, (cells.shape[0], cells.shape[1]), cyclic=False) is None
     if sweeps:
@@ -65,7 +66,10 @@ def as_fixed(fixed: ArrayLike | None, cells: Cells) -> NDArray[np.bool_]:
     """Cells that must stay, as a mask."""
     if fixed is None:
         return np.zeros(cells.shape, bool)
-    kept = np.asarray(fixed)
+    try:
+        kept = np.asarray(fixed)
+    except ValueError:
+        raise TilewrightValueError("fixed is not a table of equally long rows") from None
     if kept.dtype != bool:
         raise TilewrightTypeError(f"fixed must hold bools, not {kept.dtype}")
     if kept.shape != cells.shape:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightValueError, check_int, check_real
+from tilewright.errors import TilewrightValueError, check_real, check_seed
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Most, as_cells
 from tilewright.tilings.dappled.surgery import is_remark
 from tilewright.tilings.domain import Domain
@@ -110,4 +110,4 @@ def endless_dapple(
         )
     if not callable(start):
         check_real("start", start, 0, 1)
-    return EndlessDapple(conditions, start, check_int("seed", seed, 0, 2**64 - 1))
+    return EndlessDapple(conditions, start, check_seed(seed))

@@ -33,6 +33,8 @@ def random_start(width: int, height: int, shares: Sequence[float] = (0.5, 0.5), 
     """
     check_int("width", width, 1, _MOST_SIDE)
     check_int("height", height, 1, _MOST_SIDE)
+    if isinstance(shares, str) or not hasattr(shares, "__iter__"):
+        raise TilewrightTypeError(f"shares must be numbers such as (0.5, 0.5), not {shares!r}")
     weights = np.array([check_real("a share", share, 0, 1e9) for share in shares])
     if len(weights) < 2 or weights.sum() <= 0:
         raise TilewrightValueError(
@@ -105,7 +107,10 @@ def _squeeze(brightness: np.ndarray, conditions: Conditions) -> np.ndarray:
 
 def _gray(pixels: ArrayLike) -> np.ndarray:
     """Brightness from 0 to 1 as float32."""
-    given = np.asarray(pixels)
+    try:
+        given = np.asarray(pixels)
+    except ValueError:
+        raise TilewrightValueError("pixels are not equally long rows") from None
     if given.dtype.kind not in "uif" or given.ndim not in (2, 3) or given.size == 0:
         raise TilewrightTypeError(
             f"pixels must be numbers (h, w) or (h, w, channels), not {given.dtype} {given.shape}"
