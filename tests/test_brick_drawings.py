@@ -197,7 +197,7 @@ def test_the_command_writes_what_the_name_says(tmp_path):
     [
         ("--width is 0", ("--width", 0, "--height", 3)),
         ("ask for different walls", ("--boundary", "no.npz", "--cyclic")),
-        ("is no .npz file", ("--boundary", "no.npz")),
+        ("no.npz does not exist", ("--boundary", "no.npz")),
         ("bonds have none", ("--pattern", "herringbone", "--width", 3, "--height", 3)),
     ],
 )

@@ -235,7 +235,7 @@ def test_the_command_follows_a_picture_and_draws_maps(tmp_path, capsys):
     ("arguments", "said"),
     [
         (("-o", "a.mp4"), "the ending of -o is '.mp4'"),
-        (("--limit", "H2=2"), "--limit is 'H2'; allowed are H0, V0, H1 and V1"),
+        (("--limit", "H2=2"), "--limit is 'H2'; allowed are H0, V0, H1, V1"),
         (("--limit", "H0=x"), "--limit H0 is 'x'"),
         (("-o", "a.npz", "--fps", 3), "--fps has no use with a .npz file"),
         (("-o", "a.png", "--trail", 3), "--trail has no use with a density"),

@@ -193,11 +193,14 @@ def _picture(path: str | os.PathLike[str] | None, width: float, height: float) -
     if path is None:
         return
     given = as_path(path)
-    read_image(given)  # refuses what is no picture, or not a whole one
-    content = given.read_bytes()
+    try:
+        content = given.read_bytes()
+    except OSError as error:
+        raise TilewrightFileError(f"{given} cannot be read: {(error.strerror or '').lower()}") from None
     kind = next((k for start, k in _SIGNATURES.items() if content.startswith(start)), None)
     if kind is None:
         raise TilewrightFileError(f"{given} is no PNG or JPEG file; expected one of these")
+    read_image(given)  # refuses one that is damaged
     yield element(
         "image", href=f"data:image/{kind};base64,{base64.b64encode(content).decode()}", width=width,
         height=height, preserveAspectRatio="xMidYMid slice",
