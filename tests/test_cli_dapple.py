@@ -118,8 +118,8 @@ def test_pins_stay_or_the_guilty_ones_are_named(made, tmp_path):
 
 
 def test_tilings_are_counted(capsys):
-    call("--count", "--width", 8, "--height", 8)
-    assert capsys.readouterr().out == "36679559167444\n"
+    call("--count", "--width", 5, "--height", 5)
+    assert capsys.readouterr().out == "516724\n"
     call("--count", "--width", 1, "--height", 3, "--tiles", 3, "--json")
     assert json.loads(capsys.readouterr().out)["count"] == 26
 
