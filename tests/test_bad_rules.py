@@ -75,6 +75,15 @@ CALLS = {
     "shares must be numbers": lambda: tw.random_start(3, 3, shares=None),
     "checkpoint must be": lambda: tw.PackingSearch(tw.wang_tiles(2), checkpoint=True),
     "checkpoint is of another": lambda: tw.PackingSearch(tw.wang_tiles(2), checkpoint={"tried": RAGGED}),
+    "flow must be a Flow": lambda: tw.draw_trails(None),
+    "colors must be a list": lambda: tw.paint_cells([[0, 1]], colors=5),
+    r"start gave shape \(3,\)": lambda: tw.endless_dapple(LIMITS, start=lambda x, y: np.zeros(3)).cells(
+        0, 0, 5, 5
+    ),
+    "constant and of single tiles, to dither": lambda: tw.start_from_image(
+        np.zeros((9, 9)), 9, 9, 3, dither=True, limits={"H0+1": 2}
+    ),
+    "smaller must be a packing": lambda: tw.extend_packing(tw.direct(tw.corner_tiles(2))),
     "drawing must be": lambda: tw.save_svg("never.svg", None),
     "shape must be a Shape": lambda: tw.TileSet(None, [[1, 2]]),
     "shape is \\[\\]": lambda: tw.tile_set([[1, 2, 3, 4]], []),
@@ -122,6 +131,18 @@ COMMANDS = {
     "seed is -1": "pack --seed -1",
     "--engrave is about": "pack -o z.npy --engrave colors",
     "--limit is 'H2'": "flow --limit H2=3",
+    "--every is 0": "flow -o q.gif --every 0 --steps 5",
+    "--births is about cells that give birth": "flow -o q.gif --births 9 --steps 5",
+    "--size is 200": "flow -o q.png --map trails --size 200",
+    "--fps is 51": "flow -o q.gif --fps 51",
+    "--color is 'red'": "flow -o q.gif --color red",
+    "the number of pixels of a frame": "flow -o q.gif --width 2000 --height 2000",
+    "frames times pixels": "flow -o q.gif --steps 100000",
+    "--width has no use with --pins": "dapple -o z.png --pins whole.npy --width 0",
+    "--cell is about pictures": "dapple -o z.npy --cell 0",
+    "--x is about --endless": "dapple -o z.png --x 0",
+    "--share is 1e+308": "dapple -o q.png --endless --share 1e308 --share 1e308",
+    "name a set to draw": "aperiodic -o list.svg",
 }
 
 
@@ -133,6 +154,7 @@ def files(tmp_path_factory):
     tw.write_image(folder / "white.png", np.full((9, 9, 1), 255, np.uint8))
     (folder / "cut.png").write_bytes((folder / "white.png").read_bytes()[:40])
     np.save(folder / "pins.npy", np.ones(3))
+    np.save(folder / "whole.npy", np.full((4, 4), -1))
     np.savez(folder / "sides.npz", horizontal=np.full((4, 4), -1), vertical=np.full((3, 5), -1))
     (folder / "set.csv").write_bytes(b"\xef\xbb\xbf0,1,0,0\n0,0,0,1\n")
     return folder
@@ -161,3 +183,28 @@ def test_tables_of_spreadsheets_and_large_suffixes_are_read_and_written(files, t
         assert ended.value.code == 0
     assert np.load(tmp_path / "set.npy").tolist() == [[0, 1, 0, 0], [0, 0, 0, 1]]
     assert (tmp_path / "wall.NPY").exists()
+
+
+def test_a_flow_keeps_its_own_cells():
+    cells = np.zeros((4, 4), np.uint8)
+    flow = tw.simulate_flow(cells, particles=1, steps=1)
+    cells[:] = 1
+    assert flow.cells.max() == 0
+    assert np.array_equal(tw.simulate_flow(cells.astype(object), particles=1, steps=1).cells, cells)
+
+
+def test_speeds_of_strewn_cells_stay_in_their_range():
+    _, tiles = tw.strew_tiles([[0, 1]], tiles=(tw.FlowTile("-", 0.001), tw.FlowTile("|", 8)), emitting=0.5)
+    assert (min(t.speed for t in tiles), max(t.speed for t in tiles)) == (0.001, 8)
+
+
+def test_small_walls_close_and_seeds_make_other_walls(tmp_path):
+    made = []
+    for seed in range(5):
+        for file, options in (("a.npy", ["--cyclic"]), ("b.npy", [])):
+            with pytest.raises(SystemExit) as ended:
+                run(["bricks", "-o", str(tmp_path / file), "--width", "4", "--height", "4",
+                     "--seed", str(seed), *options])  # fmt: skip
+            assert ended.value.code == 0
+            made.append(np.load(tmp_path / file).tobytes())
+    assert len(set(made)) == 10

@@ -175,7 +175,7 @@ def test_a_whole_boundary_is_extended():
 
 def test_conditions_without_any_tiling_are_proven_so():
     for limits in ({"H0": 0, "V1": 0}, {"H0+1": 2}):
-        with pytest.raises(Impossible, match="whatever is pinned"):
+        with pytest.raises(Impossible, match="meets the conditions; this"):
             complete_dapple(np.full((4, 4), FREE), limits)
         with pytest.raises(Impossible):
             closest_dapple(np.zeros((4, 4), int), limits)

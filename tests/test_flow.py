@@ -326,7 +326,7 @@ GOOD = {"cells": np.zeros((3, 3), int), "particles": 4, "steps": 5}
             "more than 16,777,216 particles would be alive",
         ),
         (lambda: strew_tiles([[0]], slow=0.6, fast=0.6), "the sum of the shares is 1.2"),
-        (lambda: strew_tiles([[2]]), "tiles 0 to 1"),
+        (lambda: strew_tiles([[2]]), "cells hold 2 to 2; tiles are 0 to 1"),
         (
             lambda: strew_tiles([[0]], tiles=[FlowTile("-")] * 52),
             "the number of tiles is 52; allowed are 1 to 51",

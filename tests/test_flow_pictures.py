@@ -165,7 +165,7 @@ def test_refusals(flow, tmp_path, ask, said):
 def test_large_pictures_are_refused(tmp_path):
     wide = simulate_flow(np.zeros((2000, 2000), int), particles=1, steps=100)
     with pytest.raises(
-        TilewrightError, match="pixels is 64000000; allowed are 1 to 16777216; take a smaller"
+        TilewrightError, match="frame is 64000000; allowed are 1 to 16777216; take fewer cells"
     ):
         draw_trails(wide)
     with pytest.raises(TilewrightError, match="pixels is 256000000"):

@@ -43,11 +43,11 @@ def check_int(name: str, value: Any, low: int, high: int, advice: str = "") -> i
     """``value`` as an int between ``low`` and ``high``, both included."""
     # Arrays of one number count as integers to Python, but not to what they are passed on to.
     if isinstance(value, bool) or (hasattr(value, "__array__") and hasattr(value, "__setitem__")):
-        raise TilewrightTypeError(f"{name} must be an integer, not {_brief(value)}")
+        raise TilewrightTypeError(f"{name} must be an integer, not {brief(value)}")
     try:
         number = operator.index(value)
     except TypeError:
-        raise TilewrightTypeError(f"{name} must be an integer, not {_brief(value)}") from None
+        raise TilewrightTypeError(f"{name} must be an integer, not {brief(value)}") from None
     if not low <= number <= high:
         hint = f"; {advice}" if advice else ""
         raise TilewrightValueError(f"{name} is {number}; allowed are {low} to {high}{hint}")
@@ -57,13 +57,13 @@ def check_int(name: str, value: Any, low: int, high: int, advice: str = "") -> i
 def check_real(name: str, value: Any, low: float, high: float) -> float:
     """``value`` as a finite float between ``low`` and ``high``, both included."""
     if isinstance(value, (bool, str, bytes)) or str(getattr(value, "dtype", "")) == "bool":
-        raise TilewrightTypeError(f"{name} must be a number, not {_brief(value)}")
+        raise TilewrightTypeError(f"{name} must be a number, not {brief(value)}")
     try:
         number = float(value)
     except OverflowError:
         raise TilewrightValueError(f"{name} is too large; allowed are {low} to {high}") from None
     except (TypeError, ValueError):
-        raise TilewrightTypeError(f"{name} must be a number, not {_brief(value)}") from None
+        raise TilewrightTypeError(f"{name} must be a number, not {brief(value)}") from None
     if not low <= number <= high:  # also catches NaN
         raise TilewrightValueError(f"{name} is {number}; allowed are {low} to {high}")
     return number
@@ -72,7 +72,7 @@ def check_real(name: str, value: Any, low: float, high: float) -> float:
 def check_progress(progress: Any) -> None:
     """Refuse what cannot be called, before the work begins."""
     if progress is not None and not callable(progress):
-        raise TilewrightTypeError(f"progress must be a function or None, not {_brief(progress)}")
+        raise TilewrightTypeError(f"progress must be a function or None, not {brief(progress)}")
 
 
 def check_seed(value: Any) -> int:
@@ -80,7 +80,7 @@ def check_seed(value: Any) -> int:
     return check_int("seed", value, 0, 2**64 - 1)
 
 
-def _brief(value: Any) -> str:
+def brief(value: Any) -> str:
     """A value as one short line."""
     words = " ".join(repr(value).split())
     return words if len(words) <= 80 else f"{words[:77]}..."
@@ -89,5 +89,5 @@ def _brief(value: Any) -> str:
 def check_choice(name: str, value: Any, choices: tuple[str, ...]) -> str:
     """``value`` if it is one of the words in ``choices``."""
     if not isinstance(value, str) or value not in choices:
-        raise TilewrightValueError(f"{name} is {_brief(value)}; allowed are {', '.join(choices)}")
+        raise TilewrightValueError(f"{name} is {brief(value)}; allowed are {', '.join(choices)}")
     return str(value)

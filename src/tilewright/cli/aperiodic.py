@@ -69,13 +69,15 @@ def command(
     """
     started = time.perf_counter()
     if name is None:
+        if output is not None or set or to is not None or period is not None:
+            raise TilewrightValueError("name a set to draw; without one, the sets are listed")
         _list(json)
         return
-    if output is not None and output.suffix not in (".svg", ".png", ".npy"):
+    if output is not None and output.suffix.lower() not in (".svg", ".png", ".npy"):
         raise TilewrightValueError(
             f"{output} ends in {output.suffix or 'nothing'!r}; allowed are .svg, .png and .npy"
         )
-    own = Path(name).suffix in (".csv", ".npy")
+    own = Path(name).suffix.lower() in (".csv", ".npy")
     tiles, figures = _own_set(Path(name), shape) if own else _named_set(name)
     if to is not None:
         figures |= {"construction": to, "sound": _is_sound(tiles, to)}
@@ -210,9 +212,10 @@ def _save(
     from tilewright.files import write_image
     from tilewright.files.whole import whole_file
 
-    if file.suffix == ".svg":
+    suffix = file.suffix.lower()
+    if suffix == ".svg":
         save_svg(file, drawing())
-    elif file.suffix == ".png":
+    elif suffix == ".png":
         write_image(file, pixels())
     else:
         with whole_file(file) as unfinished:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tilewright.cli.options import Json, LatticeSeed, Seed, progress_bar, report
+from tilewright.cli.options import Json, Seed, progress_bar, report
 from tilewright.errors import TilewrightFileError, TilewrightValueError, check_choice, check_int, check_seed
 
 if TYPE_CHECKING:
@@ -57,7 +57,6 @@ def command(
         ),
     ] = None,
     lines: Annotated[bool, typer.Option(help="Of an SVG: the joints as lines.")] = False,
-    lattice_seed: LatticeSeed = 0,
     seed: Seed = 0,
     json: Json = False,
 ) -> None:
@@ -106,14 +105,12 @@ def command(
         elif input is not None or cyclic:
             wall = _dappled(input, (width, height), positions, longest, cyclic, seed)
         else:
-            wall = endless_bricks(positions, lattice_seed, longest=longest)
+            wall = endless_bricks(positions, seed, longest=longest)
     _check_inside(wall, (x, y), (width, height))
     if kind == ".npy":
         _save_cells(output, wall, (x, y, width, height))
     else:
-        field = BrickField(
-            wall, style, size=None if isinstance(wall, BondBricks) else size, seed=lattice_seed
-        )
+        field = BrickField(wall, style, size=None if isinstance(wall, BondBricks) else size, seed=seed)
         window = (x * size[0], y * size[1], width * size[0], height * size[1])
         _draw(output, field, window, map or "preview", lines)
     seconds = time.perf_counter() - started
@@ -223,6 +220,9 @@ def _dappled(
         start = random_start(*extent, seed=seed)
     else:
         start = start_from_image(read_image(picture), *extent)
+    if cyclic:  # a ring of one V tile among H tiles does not close
+        along, down = (max(1, min(most, side - 2)) for most, side in zip(longest, extent, strict=True))
+        longest = along, down
     limits = {"H0": longest[0], "V1": longest[1]}
     classes = dapple(start, limits, cyclic=cyclic, seed=seed)
     return brick_tiling(classes, positions, seed, torus=cyclic)

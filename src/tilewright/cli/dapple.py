@@ -13,6 +13,7 @@ from tilewright.errors import (
     TilewrightValueError,
     check_choice,
     check_int,
+    check_real,
 )
 
 if TYPE_CHECKING:
@@ -132,7 +133,9 @@ def command(
         "--input": input, "--dither": dither, "--cyclic": cyclic, "--x": x, "--y": y, "--seconds": seconds,
         "--cell": cell, "--colors": colors, "--motif": motif,
     }  # fmt: skip
-    asked = {name for name, value in given.items() if value not in (None, False, [])}
+    asked = {
+        name for name, value in given.items() if value is not None and value is not False and value != []
+    }
     file = Path("dapple.png") if output is None else output
     suffix = check_choice("the ending of -o", file.suffix.lower(), _SUFFIXES)
     way = next((name for name, on in ways.items() if on), "a start")
@@ -258,7 +261,8 @@ def _endless(
 ) -> _Made:
     from tilewright.tilings.dappled import endless_dapple
 
-    if len(shares := _shares(share, conditions)) != 2 or min(shares) < 0 or sum(shares) <= 0:
+    shares = [check_real("--share", given, 0, 1e9) for given in _shares(share, conditions)]
+    if len(shares) != 2 or sum(shares) <= 0:
         raise TilewrightValueError(f"--share is {shares}; an endless tiling has two, from 0 on, not both 0")
     tiling = endless_dapple(conditions, start=shares[1] / sum(shares), seed=seed)
     cells = tiling.cells(*corner, *_checked(*extent))

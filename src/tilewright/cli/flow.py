@@ -59,7 +59,9 @@ def command(
     steps: Annotated[int, typer.Option(help="Of time.")] = 200,
     speed: Annotated[float, typer.Option(help="Cells for each step.")] = 0.125,
     emit: Annotated[float, typer.Option(help="Share of cells that give birth, 0 to 1.")] = 0.0,
-    births: Annotated[float, typer.Option(help="In each of these, for each step.")] = 0.02,
+    births: Annotated[
+        float | None, typer.Option(help="In each of these, for each step; 0.02.", show_default=False)
+    ] = None,
     kill: Annotated[float, typer.Option(help="Share of cells in whose center particles die.")] = 0.0,
     slow: Annotated[float, typer.Option(help="Share of cells with 0.4 times the speed.")] = 0.0,
     fast: Annotated[float, typer.Option(help="Share of cells with 2.5 times the speed.")] = 0.0,
@@ -98,6 +100,7 @@ def command(
     --kill, --slow and --fast; then tilewright.save_animation(FILE, flow), draw_density(flow) or
     draw_trails(flow).
     """
+    from tilewright.export.animation import fit_size
     from tilewright.files.whole import check_file
 
     started = time.perf_counter()
@@ -116,8 +119,19 @@ def command(
         raise TilewrightValueError("--dither is about a picture to follow; give --input")
     if leave and cyclic:
         raise TilewrightValueError("--leave is about borders, and --cyclic joins them; give one of them")
-    check_real("--speed", speed, 0.0025, 3.2)  # slow and fast cells have 0.4 and 2.5 times as much
-    check_real("--births", births, 0, 1000)
+    if births is not None and not emit:
+        raise TilewrightValueError("--births is about cells that give birth; give --emit")
+    births = 0.02 if births is None else births
+    check_real("--speed", speed, 0.001, 8)
+    for option, side in (("--width", width), ("--height", height)):
+        check_int(option, side, 1, 65536)
+    check_int("--width times --height", width * height, 1, _MOST_CELLS)
+    check_int("--steps", steps, 1, 2**20)
+    _check_looks(kind, looks)
+    if every is None:
+        every = steps if kind == "a density" else 1
+    if kind == "an animation":
+        fit_size((height, width), size, -(-steps // every) + 1)
     check_file(output)
     limits = parse_limits(limit or [*_LIMITS])
     for name in limits:
@@ -133,7 +147,7 @@ def command(
     with progress_bar() as progress:
         flow = simulate_flow(
             cells, tiles, particles=particles, steps=steps, torus=cyclic, leaves=leave, seed=seed,
-            turns_back=not onward, every=steps if kind == "a density" else every or 1, progress=progress,
+            turns_back=not onward, every=every, progress=progress,
         )  # fmt: skip
         style = {"size": size, "color": color, "trail": trail, "rate": fps, "progress": progress}
         _save(output, flow, kind, {name: value for name, value in style.items() if value is not None})
@@ -148,6 +162,17 @@ def command(
     )
 
 
+def _check_looks(kind: str, looks: dict[str, Any]) -> None:
+    """What would be refused only after the walk."""
+    least, most = (1, 64) if kind == "a density" else (4, 128)
+    for option, low, high in (("--every", 1, 2**20), ("--size", least, most), ("--fps", 1, 50)):
+        if looks[option] is not None:
+            check_int(option, looks[option], low, high)
+    if looks["--trail"] is not None:
+        check_real("--trail", looks["--trail"], 0, 1000)
+    check_choice("--color", looks["--color"] or "direction", ("direction", "particle"))
+
+
 def _dappled(
     picture: Path | None,
     dither: bool,
@@ -160,9 +185,6 @@ def _dappled(
     from tilewright.files import read_image
     from tilewright.tilings.dappled import dapple, random_start, start_from_image
 
-    for option, cells in zip(("--width", "--height"), extent, strict=True):
-        check_int(option, cells, 1, 65536)
-    check_int("--width times --height", extent[0] * extent[1], 1, _MOST_CELLS)
     if picture is None:
         start = random_start(*extent, seed=seed)
     else:

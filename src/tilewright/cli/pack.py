@@ -50,14 +50,13 @@ def command(
     check_choice("--method", method, _METHODS)
     if output is None and not count:
         output = Path(f"{tiles}-{colors}-packing.png")
-    if output is not None and output.suffix not in (".npy", ".svg", ".png"):
-        raise TilewrightValueError(
-            f"{output} ends in {output.suffix or 'nothing'!r}; expected .npy, .svg or .png"
-        )
-    if picture is not None and (output is None or output.suffix != ".svg"):
+    kind = None if output is None else output.suffix.lower()
+    if kind is not None and kind not in (".npy", ".svg", ".png"):
+        raise TilewrightValueError(f"{output} ends in {kind or 'nothing'!r}; expected .npy, .svg or .png")
+    if picture is not None and kind != ".svg":
         raise TilewrightValueError("--picture is printed on the pieces of a puzzle; give it with -o FILE.svg")
     check_seed(seed)
-    if engrave != "none" and (output is None or output.suffix != ".svg"):
+    if engrave != "none" and kind != ".svg":
         raise TilewrightValueError("--engrave is about the pieces of a puzzle; give it with -o FILE.svg")
     chosen = make(colors)
     figures: dict[str, Any] = {"tiles": len(chosen)}
@@ -103,9 +102,10 @@ def _save(
     from tilewright.files.images import write_image
     from tilewright.files.whole import whole_file
 
-    if output.suffix == ".svg":
+    kind = output.suffix.lower()
+    if kind == ".svg":
         save_svg(output, draw_jigsaw(packed, piece=piece, picture=picture, engrave=engrave))
-    elif output.suffix == ".png":
+    elif kind == ".png":
         write_image(output, paint_tiling(packed, 0, 0, *size))
     else:
         with whole_file(output) as unfinished:

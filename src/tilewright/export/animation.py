@@ -70,9 +70,9 @@ def save_animation(
     suffix = check_choice("the ending of the file", path.suffix.lower(), SUFFIXES)
     check_int("rate", rate, 1, 50)
     check_progress(progress)
-    painter = _Painter(flow, size, color, trail)
+    _check_flow(flow)
     count = len(flow.times)
-    check_int("frames times pixels", count * painter.base.size, 1, _MOST_ANIMATED, "take a smaller size")
+    painter = _Painter(flow, fit_size(flow.cells.shape, size, count), color, trail)
     fade = np.minimum(1, (np.minimum(np.arange(count), np.arange(count)[::-1]) + 1) / min(_FADE, count))
 
     def pictures() -> Iterator[Any]:
@@ -112,9 +112,10 @@ def draw_trails(
     -------
     uint8 array, shape (height * size, width * size, 3)
     """
+    _check_flow(flow)
     count = len(flow.times)
     last = check_int("frame", frame, -count, count - 1) % count
-    painter = _Painter(flow, size, color, trail)
+    painter = _Painter(flow, fit_size(flow.cells.shape, size), color, trail)
     for earlier in range(last + 1):
         painter.advance(earlier)
     return np.array(painter.picture().convert("RGB"))
@@ -152,6 +153,18 @@ def draw_density(flow: Flow, *, size: int = 8, most: float | None = None) -> NDA
     return np.stack([np.rint(np.interp(shown, at, band)) for band in anchors.T], axis=-1).astype(np.uint8)
 
 
+def fit_size(extent: tuple[int, ...], size: int | None, frames: int = 1) -> int:
+    """Pixels along a cell of frames of (height, width) cells; by default what suits. Too many are refused."""
+    least, cells = 4, extent[0] * extent[1]
+    chosen = max(least, min(48, 640 // max(extent))) if size is None else check_int("size", size, least, 128)
+    advice = "take a smaller size" if chosen > least else "take fewer cells, or draw_density"
+    check_int("the number of pixels of a frame", cells * chosen**2, 1, _MOST_PIXELS, advice)
+    if frames > 1:
+        advice = "take a smaller size, or record fewer frames"
+        check_int("frames times pixels", frames * cells * chosen**2, 1, _MOST_ANIMATED, advice)
+    return chosen
+
+
 def _lanes(arms: NDArray[np.float64], size: int) -> NDArray[np.float64]:
     """What arms (h, w, 4) hold, as lanes half a cell wide."""
     height, width, ways = arms.shape
@@ -178,16 +191,12 @@ def _check_flow(flow: Flow) -> None:
 class _Painter:
     """A canvas on which light fades: frames are painted on it one after the other."""
 
-    def __init__(self, flow: Flow, size: int | None, color: str, trail: float) -> None:
-        _check_flow(flow)
-        self._flow = flow
+    def __init__(self, flow: Flow, size: int, color: str, trail: float) -> None:
+        self._flow, self._size = flow, size
         self._hues = _HUES[check_choice("color", color, tuple(_HUES))]
         self._by_direction = color == "direction"
         check_real("trail", trail, 0, 1000)
         self._decay = 0.5 ** (1 / trail) if trail > 0 else 0.0
-        shape = flow.cells.shape
-        self._size = max(4, min(48, 640 // max(shape))) if size is None else check_int("size", size, 4, 128)
-        check_int("pixels", flow.cells.size * self._size**2, 1, _MOST_PIXELS, "take a smaller size")
         check_int("particles times frames", flow.ways.size, 0, _MOST_DOTS, "record fewer frames")
         self.base = _paint_tiles(flow, self._size)
         self._levels = np.zeros(self.base.shape, np.float32)

@@ -220,4 +220,4 @@ def _check_cells(cells: ArrayLike, tiles: tuple[FlowTile, ...]) -> NDArray[np.ui
     for number in (int(given.min()), int(given.max())):
         if not 0 <= number < len(tiles):
             raise TilewrightValueError(f"cells hold tile {number}; tiles are 0 to {len(tiles) - 1}")
-    return np.ascontiguousarray(given, dtype=np.uint8)
+    return np.array(given, np.uint8, order="C")  # its own: a flow is looked at later

@@ -6,7 +6,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice, check_int, check_real
+from tilewright.errors import (
+    TilewrightTypeError,
+    TilewrightValueError,
+    brief,
+    check_choice,
+    check_int,
+    check_real,
+)
 from tilewright.samplers.chance import derive_key, make_key
 from tilewright.tiles.tileset import as_integers
 from tilewright.tilings.hashes import MixerHash
@@ -54,11 +61,11 @@ FLOW_TILES = (FlowTile("-"), FlowTile("|"))
 def check_tiles(tiles: Sequence[FlowTile], most: int = 256) -> tuple[FlowTile, ...]:
     """The tiles that stand for the numbers 0, 1, ... of cells."""
     if not isinstance(tiles, Sequence):
-        raise TilewrightTypeError(f"tiles must be a sequence of FlowTile objects, not {tiles!r}")
+        raise TilewrightTypeError(f"tiles must be a sequence of FlowTile objects, not {brief(tiles)}")
     kinds = tuple(tiles)
     for tile in kinds:
         if not isinstance(tile, FlowTile):
-            raise TilewrightTypeError(f"tiles must hold FlowTile objects, not {tile!r}")
+            raise TilewrightTypeError(f"tiles must hold FlowTile objects, not {brief(tile)}")
     check_int("the number of tiles", len(kinds), 1, most)
     return kinds
 
@@ -83,7 +90,7 @@ def strew_tiles(
     cells : array-like of int, shape (height, width)
     emitting, killing, slow, fast : float
         Shares of the cells, 0 to 1, together up to 1. Killing cells kill all that reach their center; slow
-        and fast ones have 0.4 and 2.5 times the speed.
+        and fast ones have 0.4 and 2.5 times the speed, within 0.001 to 8.
     tiles : sequence of FlowTile
         What ``cells`` holds, up to 51.
     rate : float
@@ -101,10 +108,10 @@ def strew_tiles(
     given = as_integers("cells", cells)
     plain = check_tiles(tiles, 51)
     count = len(plain)
-    if given.ndim != 2 or given.size == 0 or given.min() < 0 or given.max() >= count:
-        raise TilewrightValueError(
-            f"cells must be a rectangle of tiles 0 to {count - 1}, (height, width), not {given.shape}"
-        )
+    if given.ndim != 2 or given.size == 0:
+        raise TilewrightValueError(f"cells have shape {given.shape}; expected (height, width), neither 0")
+    if given.min() < 0 or given.max() >= count:
+        raise TilewrightValueError(f"cells hold {given.min()} to {given.max()}; tiles are 0 to {count - 1}")
     shares = []
     for name, share in (("emitting", emitting), ("killing", killing), ("slow", slow), ("fast", fast)):
         shares.append(check_real(f"the share of {name} cells", share, 0, 1))
@@ -114,7 +121,8 @@ def strew_tiles(
     kinds += [replace(tile, emits=rate) for tile in plain]
     kinds += [replace(tile, kills=1.0) for tile in plain]
     for factor in (0.4, 2.5):
-        kinds += [replace(tile, speed=tile.speed * factor) for tile in plain]
+        speeds = [min(max(tile.speed * factor, _SLOWEST), _FASTEST) for tile in plain]
+        kinds += [replace(tile, speed=speed) for tile, speed in zip(plain, speeds, strict=True)]
     most = np.cumsum(shares[::-1])[::-1] * 2.0**32
     hash = MixerHash(int(derive_key(make_key(seed), STREAM, 2)))
     words = hash.words(STREAM, np.arange(given.shape[1]), np.arange(given.shape[0])[:, np.newaxis])

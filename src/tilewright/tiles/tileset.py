@@ -169,7 +169,12 @@ def as_integers(name: str, given: ArrayLike) -> NDArray[Any]:
     if values.size == 0 and values.dtype == np.float64:  # an empty list has no type of its own
         values = values.astype(np.int64)
     if values.dtype == object and all(isinstance(v, int) for v in values.flat):
-        raise TilewrightValueError(f"{name} holds integers beyond 64 bits; allowed are -2^63 to 2^63 - 1")
+        try:
+            return values.astype(np.int64)
+        except OverflowError:
+            raise TilewrightValueError(
+                f"{name} holds integers beyond 64 bits; allowed are -2^63 to 2^63 - 1"
+            ) from None
     if values.dtype.kind not in "iu":
         raise TilewrightTypeError(f"{name} must hold integers, not {values.dtype}")
     if values.dtype == np.uint64 and values.size and values.max() >= 2**63:

@@ -316,10 +316,10 @@ def _hold_every_tile(tiles: TileSet, cells: NDArray[Any]) -> NDArray[np.bool_]:
     return np.asarray((ordered == np.arange(len(tiles))).all(axis=1))
 
 
-def nest_slots(nest: Tiling, tiles: TileSet) -> NDArray[np.uint8]:
+def nest_slots(nest: Tiling, tiles: TileSet, name: str = "nest") -> NDArray[np.uint8]:
     """Colors of the cells of a packing that is to lie in one of ``tiles``, shape (height, width, 4)."""
     if not isinstance(nest, Tiling):
-        raise TilewrightTypeError(f"nest must be a packing, not {type(nest).__name__}")
+        raise TilewrightTypeError(f"{name} must be a packing, not {type(nest).__name__}")
     small = nest.tiles
     fits = small.shape is tiles.shape and small.colors == tuple(c - 1 for c in tiles.colors)
     if fits and small.is_complete and nest.domain.periods == _size(small):
@@ -327,7 +327,7 @@ def nest_slots(nest: Tiling, tiles: TileSet) -> NDArray[np.uint8]:
         if _hold_every_tile(small, cells[None]).all():
             return small.slots_of(cells)
     raise TilewrightValueError(
-        f"nest must be a packing of {tiles.shape.name} tiles over {tuple(c - 1 for c in tiles.colors)} "
+        f"{name} must be a packing of {tiles.shape.name} tiles over {tuple(c - 1 for c in tiles.colors)} "
         "colors, one less than the tiles it is to lie in have; packing() makes such"
     )
 

@@ -123,7 +123,7 @@ def extend_packing(
 
 def _given(smaller: Tiling, tiles: TileSet) -> Colors:
     """Lattice points that the smaller packing fixes; -1 elsewhere."""
-    slots = nest_slots(smaller, tiles)
+    slots = nest_slots(smaller, tiles, "smaller")
     size, inner = tiles.colors[0] ** 2, len(slots)
     given = np.full((size, size), -1, np.int64)
     for slot, name in enumerate(CORNER.slots):

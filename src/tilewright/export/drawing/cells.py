@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice, check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, brief, check_choice, check_int
 from tilewright.export.drawing.svg import document, element
 from tilewright.export.drawing.tiles import MOST_PIXELS, color_of
 from tilewright.tiles.tileset import as_integers
@@ -106,9 +106,11 @@ def paint_cells(
 
 def _as_tiles(cells: ArrayLike) -> NDArray[np.uint8]:
     tiles = as_integers("cells", cells)
-    if tiles.ndim != 2 or tiles.size == 0 or tiles.min() < 0 or tiles.max() >= _MOST_TILES:
+    if tiles.ndim != 2 or tiles.size == 0:
+        raise TilewrightValueError(f"cells have shape {tiles.shape}; expected (height, width), neither 0")
+    if tiles.min() < 0 or tiles.max() >= _MOST_TILES:
         raise TilewrightValueError(
-            f"cells must be a rectangle of tiles 0 to {_MOST_TILES - 1}, (height, width), not {tiles.shape}"
+            f"cells hold {tiles.min()} to {tiles.max()}; tiles are 0 to {_MOST_TILES - 1}"
         )
     return tiles.astype(np.uint8)
 
@@ -121,6 +123,10 @@ def _styled(tiles: NDArray[Any], colors: Sequence[str] | None, motif: str) -> tu
     needed = count if motif == "fill" else 2
     if colors is None:
         return count, [color_of(t) for t in range(count)] if motif == "fill" else [_LINE, _GROUND]
+    if isinstance(colors, str) or not hasattr(colors, "__iter__"):
+        raise TilewrightTypeError(
+            f"colors must be a list such as ['#27548f', '#ecd5a3'], not {brief(colors)}"
+        )
     shades = list(colors)
     for shade in shades:
         if not isinstance(shade, str):

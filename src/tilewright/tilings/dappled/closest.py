@@ -142,6 +142,9 @@ class _Program:
             entries = (np.concatenate(self.signs), (np.concatenate(self.rows), np.concatenate(self.columns)))
             shape = (sum(map(len, self.least)), self.variables)
             self.matrix = coo_array(entries, shape=shape).tocsr()
+            # HiGHS in SciPy 1.13 takes indices of 32 bits only.
+            self.matrix.indices = self.matrix.indices.astype(np.int32)
+            self.matrix.indptr = self.matrix.indptr.astype(np.int32)
 
     @property
     def variables(self) -> int:

@@ -10,6 +10,7 @@ from tilewright.errors import (
     Progress,
     TilewrightTypeError,
     TilewrightValueError,
+    brief,
     check_int,
     check_progress,
     check_seed,
@@ -96,7 +97,8 @@ def _explain(cells: NDArray[Any], conditions: Conditions, cyclic: bool) -> str:
     kind = "cyclic tiling" if cyclic else "tiling"
     size = f"{cells.shape[1]} x {cells.shape[0]}"
     if not core:
-        return f"no {kind} of {size} cells meets the conditions, whatever is pinned; this is proven"
+        whatever = ", whatever is pinned" if len(pinned) else ""
+        return f"no {kind} of {size} cells meets the conditions{whatever}; this is proven"
     guilty = [at for at, literal in zip(pinned, literals.tolist(), strict=True) if literal in core]
     shown = ", ".join(f"(x={x}, y={y}) = {cells[y, x]}" for y, x in guilty[:_SHOWN])
     more = f" and {len(guilty) - _SHOWN} more" if len(guilty) > _SHOWN else ""
@@ -163,7 +165,7 @@ def dapple_formula(
     """
     conditions = Conditions(limits, tiles)
     if not isinstance(shape, (tuple, list)) or len(shape) != 2:
-        raise TilewrightTypeError(f"shape must be (height, width), not {shape!r}")
+        raise TilewrightTypeError(f"shape must be (height, width), not {brief(shape)}")
     shape = (check_int("height", shape[0], 1, 65536), check_int("width", shape[1], 1, 65536))
     if shape[0] * shape[1] * conditions.tiles > _MOST_WRITTEN:
         raise TilewrightValueError(

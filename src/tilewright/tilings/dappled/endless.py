@@ -68,7 +68,11 @@ class EndlessDapple:
             for at, size in ((x, width), (y, height))
         )
         shape = (down.size, across.size)
-        given = np.broadcast_to(start(*np.meshgrid(across, down)), shape)
+        found = np.asarray(start(*np.meshgrid(across, down)))
+        try:
+            given = np.broadcast_to(found, shape)
+        except ValueError:
+            raise TilewrightValueError(f"start gave shape {found.shape}; expected {shape}") from None
         return as_cells("start", given, 2).astype(np.uint8)
 
 

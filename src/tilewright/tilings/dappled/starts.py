@@ -98,6 +98,8 @@ def start_from_image(
 
 def _squeeze(brightness: np.ndarray, conditions: Conditions) -> np.ndarray:
     """Tones between the darkest and the lightest mixture of tiles that the limits allow."""
+    if not conditions.is_single or any(callable(x.most) or x.most.size > 1 for x in conditions.limits):
+        raise TilewrightValueError("limits must be constant and of single tiles, to dither by them")
     longest = np.minimum(*(conditions.table(axis, (1, 1))[:, 0, 0] for axis in (0, 1)))
     # At least so much of a line is of other tiles, the next one at best.
     others = 1 / (longest + 1.0) / (conditions.tiles - 1)
