@@ -12,10 +12,10 @@ from tilewright.kernels.packing_search import redraw_lines
 from tilewright.tilings.clauses import Undecided
 from tilewright.tilings.packing_search import (
     PackingSearch,
-    classify_packings,
     count_packings,
     find_packing,
 )
+from tilewright.tilings.packing_symmetries import classify_packings
 from tilewright.tilings.recursive_packing import extend_packing, recursive_packing
 
 

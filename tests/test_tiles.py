@@ -223,3 +223,11 @@ def test_crossed_wang_tiles_name_the_edges_at_their_corners():
     assert (edges(nw)[2] == w).all()
     with pytest.raises(ValueError, match="531,441"):
         tw.crossed_wang_tiles(3)
+
+
+def test_crossed_tiles_lie_as_the_wang_tiles_they_come_from():
+    crossed = tw.crossed_wang_tiles(2)
+    plain = tw.wang_tiles(2)
+    cells = (-9, 4, 12, 7)
+    with_corners = crossed.slots_of(tw.direct(crossed, 5).indices(*cells))
+    np.testing.assert_array_equal(with_corners[..., :4], plain.slots_of(tw.direct(plain, 5).indices(*cells)))

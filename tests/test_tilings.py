@@ -396,11 +396,3 @@ def test_threads_and_processes_do_not_matter():
     code = "import tilewright as tw\n" + "".join(f"print({made}.tobytes().hex())\n" for made in others)
     printed = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert printed.stdout.split() == [cells.tobytes().hex() for cells in others.values()]
-
-
-def test_crossed_tiles_lie_as_the_wang_tiles_they_come_from():
-    crossed = tw.crossed_wang_tiles(2)
-    plain = tw.wang_tiles(2)
-    cells = (-9, 4, 12, 7)
-    with_corners = crossed.slots_of(tw.direct(crossed, 5).indices(*cells))
-    np.testing.assert_array_equal(with_corners[..., :4], plain.slots_of(tw.direct(plain, 5).indices(*cells)))

@@ -120,7 +120,7 @@ def walk_particles(
         at_x, at_y, along, own, visit, wait = x[i], y[i], gone[i], keys[i], visits[i], waits[i]
         to_x, to_y = step_from(at_x, _EAST[way], width), step_from(at_y, _SOUTH[way], height)
         here, there = speeds[cells[at_y, at_x]], speeds[cells[to_y, to_x]]
-        slow_here, slow_there = 1.0 / here, 1.0 / there
+        slow_here, slow_there = slowness[cells[at_y, at_x]], slowness[cells[to_y, to_x]]
         for step in range(steps):
             time = min(1.0, step + 1.0 - wait)
             while time >= 0.0 and way < FREE:

@@ -53,6 +53,10 @@ def aperiodic_tiles(name: str = "jeandel-rao-11-5") -> TileSet:
         ``"jeandel-rao-34"``, ``"jeandel-rao-37"`` (subdivision), ``"jeandel-rao-31"``, ``"jeandel-rao-26"``,
         ``"jeandel-rao-24"``, and ``"lagae-44"``, which was published as aperiodic and is not.
 
+    Returns
+    -------
+    TileSet
+
     Raises
     ------
     TilewrightValueError

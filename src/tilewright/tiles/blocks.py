@@ -70,6 +70,10 @@ def drop_idle(tiles: TileSet, margin: int = 1, name: str | None = None) -> TileS
         Tiles that are not the center of a possible block of 2 ``margin`` + 1 rows and columns go.
     name : str, optional
 
+    Returns
+    -------
+    TileSet
+
     Raises
     ------
     TilewrightValueError

@@ -67,6 +67,16 @@ def check_lifting(
         n, odd.
     margin : int
         See `possible_blocks`.
+
+    Returns
+    -------
+    Lifting
+        How many blocks there are and how many of them lift; ``.holds`` says whether the claim does.
+
+    Raises
+    ------
+    TilewrightValueError
+        A set of other tiles, a mapping that does not fit, or too many blocks.
     """
     for name, tiles in (("merged", merged), ("original", original)):
         if check_tiles(name, tiles).shape is not CORNER:

@@ -81,7 +81,16 @@ def grouped_subdivision(wang: TileSet) -> Grouping:
     Parameters
     ----------
     wang : TileSet
-        Up to 20 Wang tiles.
+        Up to 20 Wang tiles; so many take some 20 seconds.
+
+    Returns
+    -------
+    Grouping
+
+    Raises
+    ------
+    TilewrightValueError
+        More tiles, or tiles that are not Wang tiles.
     """
     slots = wang_slots(wang)
     count = len(slots)

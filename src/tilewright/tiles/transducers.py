@@ -141,6 +141,16 @@ def strip(tiles: TileSet, rows: int = 1) -> Transducer:
         Wang tiles, or corner tiles, taken as the Wang tiles with the same indices (`as_wang_tiles`).
     rows : int
         1 to 64.
+
+    Returns
+    -------
+    Transducer
+        Without states where no strip is endless.
+
+    Raises
+    ------
+    TilewrightValueError
+        There would be more than 4 million transitions.
     """
     if check_tiles("tiles", tiles).shape is CORNER:
         tiles = as_wang_tiles(tiles)

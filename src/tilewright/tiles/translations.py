@@ -81,6 +81,17 @@ def translation_is_sound(wang: TileSet, construction: str) -> bool:
     So it is where the N and S colors of a Wang tile determine the tile (horizontal translation), or its E
     and W colors (vertical). Lagae 2007, section 8.3.2, asks less: that different pairs of tiles give
     different corner tiles. Then two neighbors may take the Wang tile between them for different ones.
+
+    Parameters
+    ----------
+    wang : TileSet
+        Wang tiles.
+    construction : str
+        ``"horizontal"`` or ``"vertical"``; the others are always sound.
+
+    Returns
+    -------
+    bool
     """
     slots = wang_slots(wang)
     check_choice("construction", construction, ("horizontal", "vertical"))

@@ -8,10 +8,10 @@ from tilewright.tilings.hashes import LatticeHash, LongPeriodHash, MixerHash, Pe
 from tilewright.tilings.packing import Packing, packing
 from tilewright.tilings.packing_search import (
     PackingSearch,
-    classify_packings,
     count_packings,
     find_packing,
 )
+from tilewright.tilings.packing_symmetries import classify_packings
 from tilewright.tilings.periods import periodic_tiling
 from tilewright.tilings.recursive_packing import extend_packing, recursive_packing
 from tilewright.tilings.scanline import scanline

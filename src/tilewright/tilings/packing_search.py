@@ -6,15 +6,14 @@ packings that are translations of each other it finds one, the one with tile 0 a
 """
 
 from collections.abc import Iterator, Mapping
-from itertools import permutations, product
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError, check_int, check_progress
-from tilewright.tiles import CORNER, WANG, TileSet, encode
-from tilewright.tiles.tileset import as_integers, check_tiles
+from tilewright.tiles import CORNER, WANG, TileSet
+from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.tiling import ArrayTiling, Tiling
 
 Cells = NDArray[np.int32]
@@ -68,9 +67,9 @@ class PackingSearch:
         nest: Tiling | None = None,
         checkpoint: Mapping[str, Any] | None = None,
     ) -> None:
-        self.tiles = _check_kind(tiles)
+        self.tiles = check_kind(tiles)
         self.seed = check_int("seed", seed, 0, _SEEDS)
-        self.size = _size(tiles)
+        self.size = torus_size(tiles)
         """Cells along x and y."""
         self._windows = _number_slots(tiles, self.size)
         radices = np.zeros(self._windows.max() + 1, np.int64)
@@ -203,12 +202,22 @@ def count_packings(tiles: TileSet, progress: Progress | None = None) -> int:
     Every tile lies once in a packing, so the packings with tile 0 at cell (0, 0) are counted and multiplied
     by the number of cells. Corner tiles over 2 colors have 32, Wang tiles 203,520.
 
+    Parameters
+    ----------
+    tiles : TileSet
+        A complete set of corner tiles or Wang tiles.
+    progress : callable, optional
+
+    Returns
+    -------
+    int
+
     Raises
     ------
     TilewrightValueError
         The set has more than 16 tiles: counting would not end.
     """
-    if len(_check_kind(tiles)) > _MOST_COUNTED:
+    if len(check_kind(tiles)) > _MOST_COUNTED:
         raise TilewrightValueError(
             f"the set has {len(tiles)} tiles; packings are counted for up to {_MOST_COUNTED}, such as those "
             "of 2 colors: with more the count would not end in a lifetime"
@@ -223,8 +232,28 @@ def find_packing(
 
     For up to 3 colors, in seconds at most: some orders of the colors lead to long searches, so that one
     which takes long is begun anew in another order. See `PackingSearch`, which can be stopped and resumed.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        A complete set of corner tiles or Wang tiles.
+    seed : int
+        0 to 2^63 - 1.
+    nest : Tiling, optional
+        A packing over one color less that is to be the north-west part.
+    progress : callable, optional
+
+    Returns
+    -------
+    ArrayTiling
+        A torus of C_v^2 x C_h^2 cells.
+
+    Raises
+    ------
+    TilewrightValueError
+        Another kind of set, more than 3 colors, or a nest that no packing holds.
     """
-    if max(_check_kind(tiles).colors) > _MOST_FOUND:
+    if max(check_kind(tiles).colors) > _MOST_FOUND:
         raise TilewrightValueError(
             f"the set has {max(tiles.colors)} colors; packings are found by search for up to {_MOST_FOUND}. "
             "Use packing() or recursive_packing()"
@@ -243,75 +272,8 @@ def find_packing(
             raise TilewrightValueError("nest is in the corner of no packing over one color more")
 
 
-def classify_packings(tiles: TileSet, packings: ArrayLike) -> tuple[Cells, NDArray[np.int64]]:
-    """Packings up to symmetry: translation, reflection, rotation and permutation of the colors.
-
-    The colors of the horizontal and vertical edges of Wang tiles are permuted separately; rotations by a
-    quarter need equally many of both.
-
-    Parameters
-    ----------
-    packings : array-like of int, shape (packings, height, width), tile indices.
-
-    Returns
-    -------
-    One packing of each class, int32 (classes, height, width), with tile 0 at cell (0, 0), the first of its
-    class in the order of its tiles; and the class of each packing, int64 (packings,).
-    """
-    cells = as_integers("packings", packings)
-    width, height = _size(_check_kind(tiles))
-    if cells.shape[1:] != (height, width) or not _hold_every_tile(tiles, cells).all():
-        raise TilewrightValueError(
-            f"packings must have shape (packings, {height}, {width}) and hold each of {len(tiles)} tiles once"
-        )
-    first = np.full(cells.shape, len(tiles), np.int64)
-    for image in _images(tiles, cells):
-        differs = (image != first).reshape(len(cells), -1)
-        at = differs.argmax(axis=1)[:, None]
-        now, before = (np.take_along_axis(a.reshape(len(cells), -1), at, 1)[:, 0] for a in (image, first))
-        first[now < before] = image[now < before]
-    classes, members = np.unique(first, axis=0, return_inverse=True)
-    return classes.astype(np.int32), members.reshape(-1)
-
-
-def _images(tiles: TileSet, cells: NDArray[Any]) -> Iterator[NDArray[np.int64]]:
-    """Packings under every symmetry, moved so that tile 0 is at cell (0, 0)."""
-    palettes = ((0, 1, 2, 3),) if tiles.shape is CORNER else ((0, 2), (1, 3))
-    orders = [list(permutations(range(tiles.colors[slots[0]]))) for slots in palettes]
-    diagonal = ("", "diagonal") if len(set(tiles.colors)) == 1 else ("",)
-    for moves in product(("", "EW"), ("", "NS"), diagonal):
-        turned, slots = cells, tiles.slots
-        for move in filter(None, moves):
-            turned, slots = _mirrored(turned, move), slots[:, _mirrored_slots(tiles.shape.slots, move)]
-        for order in product(*orders):
-            recolored = slots.copy()
-            for places, colors in zip(palettes, order, strict=True):
-                recolored[:, places] = np.array(colors, np.uint8)[slots[:, places]]
-            yield _anchored(encode(recolored, tiles.colors)[turned])
-
-
-def _mirrored(cells: NDArray[Any], move: str) -> NDArray[Any]:
-    """Tilings with east and west, north and south, or x and y exchanged."""
-    if move == "diagonal":
-        return cells.swapaxes(-1, -2)
-    return cells[..., ::-1] if move == "EW" else cells[..., ::-1, :]
-
-
-def _mirrored_slots(names: tuple[str, ...], move: str) -> list[int]:
-    """Which slot comes to lie at each slot when tiles are mirrored."""
-    exchange = str.maketrans(*{"EW": ("EW", "WE"), "NS": ("NS", "SN"), "diagonal": ("NESW", "WSEN")}[move])
-    return [[set(n) for n in names].index(set(name.translate(exchange))) for name in names]
-
-
-def _anchored(cells: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Each torus moved so that tile 0 is at cell (0, 0)."""
-    _, height, width = cells.shape
-    row, column = np.divmod(cells.reshape(len(cells), -1).argmin(axis=1)[:, None], width)
-    rows, columns = (row + np.arange(height)) % height, (column + np.arange(width)) % width
-    return cells[np.arange(len(cells))[:, None, None], rows[:, :, None], columns[:, None, :]]
-
-
-def _hold_every_tile(tiles: TileSet, cells: NDArray[Any]) -> NDArray[np.bool_]:
+def hold_every_tile(tiles: TileSet, cells: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which of several arrays of tiles, (packings, height, width), hold each tile once."""
     ordered: NDArray[Any] = np.sort(cells.reshape(len(cells), -1), axis=1)
     return np.asarray((ordered == np.arange(len(tiles))).all(axis=1))
 
@@ -322,9 +284,9 @@ def nest_slots(nest: Tiling, tiles: TileSet, name: str = "nest") -> NDArray[np.u
         raise TilewrightTypeError(f"{name} must be a packing, not {type(nest).__name__}")
     small = nest.tiles
     fits = small.shape is tiles.shape and small.colors == tuple(c - 1 for c in tiles.colors)
-    if fits and small.is_complete and nest.domain.periods == _size(small):
-        cells = nest.indices(0, 0, *_size(small))
-        if _hold_every_tile(small, cells[None]).all():
+    if fits and small.is_complete and nest.domain.periods == torus_size(small):
+        cells = nest.indices(0, 0, *torus_size(small))
+        if hold_every_tile(small, cells[None]).all():
             return small.slots_of(cells)
     raise TilewrightValueError(
         f"{name} must be a packing of {tiles.shape.name} tiles over {tuple(c - 1 for c in tiles.colors)} "
@@ -332,7 +294,8 @@ def nest_slots(nest: Tiling, tiles: TileSet, name: str = "nest") -> NDArray[np.u
     )
 
 
-def _check_kind(tiles: TileSet) -> TileSet:
+def check_kind(tiles: TileSet) -> TileSet:
+    """A complete set of corner tiles or Wang tiles."""
     if not check_tiles("tiles", tiles).is_complete or tiles.shape not in (CORNER, WANG):
         raise TilewrightValueError(
             f"packings are searched for complete sets of corner tiles and Wang tiles, "
@@ -341,7 +304,7 @@ def _check_kind(tiles: TileSet) -> TileSet:
     return tiles
 
 
-def _size(tiles: TileSet) -> tuple[int, int]:
+def torus_size(tiles: TileSet) -> tuple[int, int]:
     """Cells along x and y: C^2 x C^2; C_v^2 x C_h^2 for Wang tiles."""
     return tiles.colors[3] ** 2, tiles.colors[0] ** 2
 

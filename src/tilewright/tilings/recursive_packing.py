@@ -52,6 +52,16 @@ def recursive_packing(tiles: TileSet) -> Tiling:
     For Wang tiles over any number of colors in closed form (Wei's trains nest), for corner tiles over up to
     4 from a table.
 
+    Parameters
+    ----------
+    tiles : TileSet
+        A complete set.
+
+    Returns
+    -------
+    Tiling
+        A torus of C_v^2 x C_h^2 cells; corner tiles have C_v = C_h.
+
     Raises
     ------
     TilewrightValueError
@@ -93,6 +103,11 @@ def extend_packing(
         After about so long, give up.
     progress : callable, optional
         Called between stretches; its last argument tells how many tiles are missing.
+
+    Returns
+    -------
+    ArrayTiling
+        A torus of (C + 1)^2 x (C + 1)^2 cells, where ``smaller`` has C colors.
 
     Raises
     ------

@@ -46,7 +46,18 @@ def document(body: Iterable[str], width: float, height: float, *, unit: str = ""
 
 
 def save_svg(path: str | os.PathLike[str], drawing: str) -> Path:
-    """Write a drawing to a file that ends in .svg, whole or not at all."""
+    """Write a drawing to a file that ends in .svg, whole or not at all.
+
+    Parameters
+    ----------
+    path : str or Path
+    drawing : str
+        The text that `draw_tiling`, `draw_wall` and the like give.
+
+    Returns
+    -------
+    Path
+    """
     target = as_path(path)
     if not isinstance(drawing, str):
         raise TilewrightTypeError(f"drawing must be the text of an SVG file, not {type(drawing).__name__}")

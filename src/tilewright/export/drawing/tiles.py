@@ -102,7 +102,14 @@ def draw_tiling(tiling: Tiling, x: int = 0, y: int = 0, width: int = 32, height:
 def paint_tiles(tiles: TileSet) -> NDArray[np.uint8]:
     """A tile set as pixels, shape (height, width, 3): what `draw_tiles` draws, without numbers.
 
-    A tile has 64 x 64 pixels.
+    Parameters
+    ----------
+    tiles : TileSet
+        Square tiles; one has 64 x 64 pixels.
+
+    Returns
+    -------
+    uint8 array, shape (height, width, 3)
     """
     _check_square(tiles)
     size, gap, columns = 64, 16, _columns(len(tiles))

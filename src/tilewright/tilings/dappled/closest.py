@@ -78,6 +78,8 @@ def closest_dapple(
         How many cells must hold a tile (section 6 (6)). Tilings of up to 128 x 128 cells.
     seconds : float, optional
         When to stop; the best tiling so far comes with a gap, where there is one.
+    progress : callable, optional
+        Called from window to window.
 
     Returns
     -------

@@ -62,6 +62,7 @@ def complete_dapple(
         Different seeds find different tilings.
     seconds : float, optional
         When to give up; see `Undecided`.
+    progress : callable, optional
 
     Returns
     -------
@@ -161,7 +162,28 @@ def dapple_formula(
 
     With two tiles, variable 1 + y w + x says that cell (x, y) holds tile 1; with T tiles, variable
     1 + (y w + x) T + t says that it holds tile t, and more variables follow. Pins are clauses of one literal.
-    Up to 2^23 choices of a tile for a cell.
+
+    Parameters
+    ----------
+    shape : (int, int)
+        Height and width; together with the number of tiles up to 2^23.
+    limits : mapping or Conditions
+        As in `Conditions`; 0 and 1 and subsets too.
+    cyclic : bool
+        Whether rows and columns close to rings.
+    partial : array-like of int, shape (height, width), optional
+        The tiles of pinned cells, -1 where any may be.
+    tiles : int, optional
+        Number of tiles.
+
+    Returns
+    -------
+    Clauses
+
+    Raises
+    ------
+    TilewrightValueError, TilewrightTypeError
+        A shape out of range, or pins of another shape.
     """
     conditions = Conditions(limits, tiles)
     if not isinstance(shape, (tuple, list)) or len(shape) != 2:
