@@ -67,7 +67,7 @@ def test_cyclic_feasibility(benchmark):
     ("positions", "longest"), [(4, (3, 3)), (3, (3, 3)), (3, (2, 2)), (2, (3, 3)), (2, (2, 2)), (4, (8, 2))]
 )
 def test_an_endless_wall(benchmark, positions, longest):
-    wall, out = tw.endless_bricks(positions, 1, longest=longest), np.empty((4096, 4096), np.int32)
+    wall, out = tw.endless_brick_tiling(positions, 1, longest=longest), np.empty((4096, 4096), np.int32)
     wall.indices(0, 0, 64, 64)
     benchmark.pedantic(lambda: wall.indices(10**12, 7, 4096, 4096, out=out), rounds=3)
     speed = benchmark.extra_info["million cells/s"] = out.size / benchmark.stats.stats.median / 1e6

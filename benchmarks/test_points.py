@@ -44,7 +44,7 @@ SPIKES = [
 @pytest.mark.parametrize(("colors", "points", "rho", "highest", "loudest"), SPIKES)
 def test_the_default_construction(benchmark, colors, points, rho, highest, loudest):
     """Spikes in a square of 16,384 points, all of them within twice the periodogram's window."""
-    from tilewright.analysis.laid_points import lay_square
+    from tilewright.analysis.points.laid_tiles import lay_square
     from tilewright.signals.points.spikes import Spikes
 
     tw.poisson_tiles(tw.corner_tiles(2), 16, 0.7)

@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from tilewright.fields.brick_bonds import BondBricks
-from tilewright.fields.brick_field import BrickField
-from tilewright.signals.textures.brick_style import BrickStyle
-from tilewright.tilings.bricks import brick_region, endless_bricks
+from tilewright.fields.bricks.bonds import BondBricks
+from tilewright.fields.bricks.field import BrickField
+from tilewright.signals.bricks.style import BrickStyle
+from tilewright.tilings.bricks import brick_region, endless_brick_tiling
 
 TARGET = Path(__file__).parents[1] / "docs" / "images" / "bricks.jpg"
 WIDTH, HEIGHT, GAP = 600, 360, 8
@@ -48,7 +48,7 @@ def maps(field: BrickField) -> np.ndarray:
 
 def main() -> None:
     """Draw and save."""
-    endless = BrickField(endless_bricks(3, seed=5), size=(120, 40))
+    endless = BrickField(endless_brick_tiling(3, seed=5), size=(120, 40))
     gate = BrickField(brick_region(arch(), 3, seed=2), BrickStyle("sandstone"), size=(40, 24))
     herringbone = BrickField(BondBricks("herringbone", (96, 32)), BrickStyle("yellow"))
     panels = (

@@ -6,8 +6,8 @@ import numpy as np
 from PIL import Image
 
 import tilewright as tw
-from tilewright.export.animation import draw_density, draw_trails, save_animation
-from tilewright.fields.flow import Flow, FlowTile, simulate_flow, strew_tiles
+from tilewright.export.drawing.flows import draw_density, draw_trails, save_animation
+from tilewright.flows.flow import Flow, FlowTile, simulate_flow, strew_tiles
 
 FOLDER = Path(__file__).parents[1] / "docs" / "images"
 GAP = 16

@@ -18,7 +18,7 @@ from PIL import Image
 
 import tilewright as tw
 from tilewright.analysis import compare_textures
-from tilewright.fields.contenders import SideBySide
+from tilewright.fields.photos.contenders import SideBySide
 
 SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff")
 PICTURES = ("tiles", "wide", "close", "compare")

@@ -9,7 +9,7 @@ TARGET = Path(__file__).parents[1] / "docs" / "images" / "jigsaw.svg"
 
 def main() -> None:
     """Draw and save."""
-    puzzle = tw.find_packing(tw.corner_tiles(2), seed=1)
+    puzzle = tw.random_packing(tw.corner_tiles(2), seed=1)
     tw.save_svg(TARGET, tw.draw_jigsaw(puzzle, piece=30, engrave="colors"))
     print(TARGET)
 

@@ -6,7 +6,7 @@ import tilewright as tw
 from tilewright.files.ready import READY, folder_name
 
 SEEDS = range(8)
-target = Path(__file__).parents[1] / "src" / "tilewright" / "files" / "ready_tiles"
+target = Path(__file__).parents[1] / "src" / "tilewright" / "files" / "stored_tiles"
 target.mkdir(exist_ok=True)
 for colors, points, rho in READY:
     made = [tw.poisson_tiles(tw.corner_tiles(colors), points, rho, seed=seed) for seed in SEEDS]

@@ -33,7 +33,7 @@ def command(
     its save_sheet(path).
     """
     from tilewright.analysis import analyze
-    from tilewright.analysis.report import check_sheet
+    from tilewright.analysis.sheets import check_sheet
     from tilewright.files import load, read_points
     from tilewright.samplers import Box
 

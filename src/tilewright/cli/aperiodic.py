@@ -65,7 +65,7 @@ def command(
     Calls tilewright.aperiodic_tiling(tilewright.aperiodic_tiles(name), seed).indices(x, y, width, height) and
     tilewright.draw_tiling(...) or, for a PNG, paint_tiling(...); with --set draw_tiles(...); with --to
     translated_tiling(tiling, to); with --period periodic_tiling(tiles, ...); for your own set
-    fill(tiles, width, height, seed=seed).
+    filled_tiling(tiles, width, height, seed=seed).
     """
     started = time.perf_counter()
     if name is None:
@@ -176,10 +176,10 @@ def _periodic(tiles: "TileSet", most: tuple[int, int], seed: int) -> "Tiling | N
 
 
 def _filled(tiles: "TileSet", width: int, height: int, seed: int) -> "Tiling":
-    from tilewright.tilings.filling import fill
+    from tilewright.tilings.filling import filled_tiling
 
     with progress_bar() as progress:
-        return fill(tiles, width, height, seed=seed, progress=progress)
+        return filled_tiling(tiles, width, height, seed=seed, progress=progress)
 
 
 def _save_set(file: Path, tiles: "TileSet") -> None:
@@ -210,7 +210,7 @@ def _save(
 
     from tilewright.export.drawing.svg import save_svg
     from tilewright.files import write_image
-    from tilewright.files.whole import whole_file
+    from tilewright.files.atomic import whole_file
 
     suffix = file.suffix.lower()
     if suffix == ".svg":

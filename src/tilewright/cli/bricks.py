@@ -6,14 +6,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tilewright.checks import check_choice, check_int
 from tilewright.cli.options import Json, Seed, progress_bar, report
-from tilewright.errors import TilewrightFileError, TilewrightValueError, check_choice, check_int, check_seed
+from tilewright.errors import TilewrightFileError, TilewrightValueError
+from tilewright.seeds import check_seed
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tilewright.fields.brick_field import BrickField
-    from tilewright.fields.brick_patterns import BrickPattern
+    from tilewright.fields.bricks.field import BrickField
+    from tilewright.fields.bricks.patterns import BrickPattern
     from tilewright.tilings import Tiling
     from tilewright.tilings.bricks import BrickRegion
 
@@ -69,14 +71,14 @@ def command(
     Example: tilewright bricks -o face.svg --input face.png --width 60 --height 90 --longest 4 4
 
     Calls tilewright.BrickField(wall, tilewright.BrickStyle(...), size=size).save(output, ...), for SVG
-    tilewright.draw_wall(...). The wall is tilewright.endless_bricks(positions, ...); with --input
+    tilewright.draw_wall(...). The wall is tilewright.endless_brick_tiling(positions, ...); with --input
     or --cyclic tilewright.brick_tiling(classes, ...) over tilewright.dapple(start, ...); with --mask or
     --boundary tilewright.brick_region(mask, ...); other patterns are tilewright.BondBricks(pattern, size).
     """
-    from tilewright.fields.brick_bonds import BONDS, BondBricks
-    from tilewright.fields.brick_field import BrickField
-    from tilewright.signals.textures.brick_style import BrickStyle
-    from tilewright.tilings.bricks import endless_bricks
+    from tilewright.fields.bricks.bonds import BONDS, BondBricks
+    from tilewright.fields.bricks.field import BrickField
+    from tilewright.signals.bricks.style import BrickStyle
+    from tilewright.tilings.bricks import endless_brick_tiling
 
     started = time.perf_counter()
     check_choice("--pattern", pattern, ("wang", *BONDS))
@@ -105,7 +107,7 @@ def command(
         elif input is not None or cyclic:
             wall = _dappled(input, (width, height), positions, longest, cyclic, seed)
         else:
-            wall = endless_bricks(positions, seed, longest=longest)
+            wall = endless_brick_tiling(positions, seed, longest=longest)
     _check_inside(wall, (x, y), (width, height))
     if kind == ".npy":
         _save_cells(output, wall, (x, y, width, height))
@@ -136,7 +138,7 @@ def _check_numbers(size: tuple[int, int], x: int, y: int, seed: int, longest: tu
 
 def _refuse_unused(kind: str, map: str | None, lines: bool) -> None:
     """Refuse options that would do nothing."""
-    from tilewright.fields.brick_field import MAPS
+    from tilewright.fields.bricks.field import MAPS
 
     if map is not None:
         check_choice("--map", map, ("preview", *MAPS))
@@ -234,7 +236,7 @@ def _save_cells(
     """Write tile indices, shape (height, width); -1 outside a region."""
     import numpy as np
 
-    from tilewright.files.whole import whole_file
+    from tilewright.files.atomic import whole_file
     from tilewright.tilings import Tiling
     from tilewright.tilings.bricks import BrickRegion
 

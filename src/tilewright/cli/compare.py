@@ -31,11 +31,11 @@ def command(
     The settings are those of Lagae 2007, chapter 6: ten sets of 16,384 points of each method, and one of
     262,144 for the zone plate. Calls tilewright.compare(methods, full=full) and its save(folder).
     """
-    from tilewright.analysis.comparison import check_comparison_folder, compare
-    from tilewright.analysis.contestants import list_contestants
+    from tilewright.analysis.points.comparison import check_comparison_folder, compare
+    from tilewright.analysis.points.contenders import list_contenders
 
     if list_methods:
-        known = list_contestants()
+        known = list_contenders()
         report(
             {name: c.source for name, c in known.items()},
             json,

@@ -7,14 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tilewright.checks import check_choice, check_int, check_real
 from tilewright.cli.options import Json, Seed, parse_limits, progress_bar, report
-from tilewright.errors import (
-    TilewrightFileError,
-    TilewrightValueError,
-    check_choice,
-    check_int,
-    check_real,
-)
+from tilewright.errors import TilewrightFileError, TilewrightValueError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -119,12 +114,12 @@ def command(
 
     Example: tilewright dapple --count --width 8 --height 8
 
-    Calls tilewright.dapple(start, limits, ...) of tilewright.random_start(...) or start_from_image(...); with
-    --closest closest_dapple(start, limits), with --endless endless_dapple(limits).cells(x, y, width, height),
-    with --pins complete_dapple(pins, limits), with --count count_dappled(width, height, limits), for a .cnf
-    dapple_formula((height, width), limits).dimacs().
+    Calls tilewright.dapple(start, limits, ...) of tilewright.random_start(...) or start_from_image(...);
+    with --closest closest_dapple(start, limits), with --endless endless_dappled_tiling(limits).cells(x,
+    y, width, height), with --pins complete_dapple(pins, limits), with --count count_dappled(width,
+    height, limits), for a .cnf dapple_formula((height, width), limits).dimacs().
     """
-    from tilewright.files.whole import check_file
+    from tilewright.files.atomic import check_file
 
     started = time.perf_counter()
     ways = {"--count": count, "--endless": endless, "--pins": pins is not None, "--closest": closest}
@@ -259,12 +254,12 @@ def _endless(
     share: list[float] | None,
     seed: int,
 ) -> _Made:
-    from tilewright.tilings.dappled import endless_dapple
+    from tilewright.tilings.dappled import endless_dappled_tiling
 
     shares = [check_real("--share", given, 0, 1e9) for given in _shares(share, conditions)]
     if len(shares) != 2 or sum(shares) <= 0:
         raise TilewrightValueError(f"--share is {shares}; an endless tiling has two, from 0 on, not both 0")
-    tiling = endless_dapple(conditions, start=shares[1] / sum(shares), seed=seed)
+    tiling = endless_dappled_tiling(conditions, start=shares[1] / sum(shares), seed=seed)
     cells = tiling.cells(*corner, *_checked(*extent))
     return _Made(cells, {"x": corner[0], "y": corner[1], **_measure(cells, conditions)})
 
@@ -318,7 +313,7 @@ def _clauses(
     """Write the conditions, and pins, for a SAT solver."""
     import numpy as np
 
-    from tilewright.files.whole import whole_file
+    from tilewright.files.atomic import whole_file
     from tilewright.tilings.dappled import dapple_formula
 
     partial = None if pins is None else _read_pins(pins)
@@ -348,7 +343,7 @@ def _save(file: Path, cells: "Cells", colors: list[str] | None, motif: str, cell
     from tilewright.export.drawing.cells import draw_cells, paint_cells
     from tilewright.export.drawing.svg import save_svg
     from tilewright.files import write_image
-    from tilewright.files.whole import whole_file
+    from tilewright.files.atomic import whole_file
 
     suffix = file.suffix.lower()
     if suffix == ".svg":

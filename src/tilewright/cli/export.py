@@ -5,8 +5,9 @@ from typing import Annotated
 
 import typer
 
+from tilewright.checks import check_choice
 from tilewright.cli.options import Folder, Json, LatticeSeed, Map, Seed, report
-from tilewright.errors import TilewrightValueError, check_choice
+from tilewright.errors import TilewrightValueError
 
 _PICTURES = (".png", ".tif", ".tiff", ".exr", ".jpg", ".jpeg", ".bmp", ".tga", ".webp")
 

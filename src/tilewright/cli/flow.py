@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tilewright.checks import check_choice, check_int, check_real
 from tilewright.cli.options import Json, Seed, parse_limits, progress_bar, report
-from tilewright.errors import TilewrightValueError, check_choice, check_int, check_real
+from tilewright.errors import TilewrightValueError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tilewright.fields.flow import Flow
+    from tilewright.flows.flow import Flow
 
 _SUFFIXES = (".gif", ".webp", ".png", ".npz")
 _MOST_CELLS = 2**22
@@ -100,8 +101,8 @@ def command(
     --kill, --slow and --fast; then tilewright.save_animation(FILE, flow), draw_density(flow) or
     draw_trails(flow).
     """
-    from tilewright.export.animation import fit_size
-    from tilewright.files.whole import check_file
+    from tilewright.export.drawing.flows import fit_size
+    from tilewright.files.atomic import check_file
 
     started = time.perf_counter()
     suffix = check_choice("the ending of -o", output.suffix.lower(), _SUFFIXES)
@@ -138,7 +139,7 @@ def command(
         check_choice("--limit", name, ("H0", "V0", "H1", "V1"))
     cells = _dappled(input, dither, (width, height), limits, cyclic, seed)
 
-    from tilewright.fields.flow import FlowTile, simulate_flow, strew_tiles
+    from tilewright.flows.flow import FlowTile, simulate_flow, strew_tiles
 
     cells, tiles = strew_tiles(
         cells, emitting=emit, killing=kill, slow=slow, fast=fast, rate=births, seed=seed,
@@ -195,7 +196,7 @@ def _dappled(
 
 def _save(output: Path, flow: "Flow", kind: str, style: dict[str, Any]) -> None:
     """Write an animation, a map or arrays."""
-    from tilewright.export.animation import draw_density, draw_trails, save_animation
+    from tilewright.export.drawing.flows import draw_density, draw_trails, save_animation
     from tilewright.files import write_image
 
     if kind == "an animation":
@@ -217,7 +218,7 @@ def _save_arrays(output: Path, flow: "Flow") -> None:
     """The arrays of a flow by their names, and its tiles as columns."""
     import numpy as np
 
-    from tilewright.files.whole import whole_file
+    from tilewright.files.atomic import whole_file
 
     arrays: dict[str, Any] = {
         f"tile_{name}": np.array([getattr(tile, name) for tile in flow.tiles])

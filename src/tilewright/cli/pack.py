@@ -5,8 +5,10 @@ from typing import Annotated, Any
 
 import typer
 
+from tilewright.checks import check_choice
 from tilewright.cli.options import Json, Seed, progress_bar, report
-from tilewright.errors import TilewrightValueError, check_choice, check_seed
+from tilewright.errors import TilewrightValueError
+from tilewright.seeds import check_seed
 
 _METHODS = ("closed", "search", "recursive")
 
@@ -41,7 +43,7 @@ def command(
 
     Example: tilewright pack --colors 3 --method search --seed 7 --picture photo.jpg -o puzzle.svg
 
-    Calls tilewright.packing(tilewright.corner_tiles(colors)).indices(0, 0, C^2, C^2), or find_packing,
+    Calls tilewright.packing(tilewright.corner_tiles(colors)).indices(0, 0, C^2, C^2), or random_packing,
     recursive_packing, count_packings and draw_jigsaw. Only what is found by search depends on --seed.
     """
     from tilewright.tiles import corner_tiles, wang_tiles
@@ -74,7 +76,7 @@ def command(
 
 
 def _count(tiles: Any) -> int:
-    from tilewright.tilings.packing_search import count_packings
+    from tilewright.tilings.packings.search import count_packings
 
     with progress_bar() as progress:
         return count_packings(tiles, progress)
@@ -82,12 +84,12 @@ def _count(tiles: Any) -> int:
 
 def _pack(tiles: Any, method: str, seed: int) -> Any:
     from tilewright.tilings import packing
-    from tilewright.tilings.packing_search import find_packing
-    from tilewright.tilings.recursive_packing import recursive_packing
+    from tilewright.tilings.packings.recursion import recursive_packing
+    from tilewright.tilings.packings.search import random_packing
 
     if method == "search":
         with progress_bar() as progress:
-            return find_packing(tiles, seed=seed, progress=progress)
+            return random_packing(tiles, seed=seed, progress=progress)
     return {"closed": packing, "recursive": recursive_packing}[method](tiles)
 
 
@@ -99,8 +101,8 @@ def _save(
     from tilewright.export.drawing.jigsaw import draw_jigsaw
     from tilewright.export.drawing.svg import save_svg
     from tilewright.export.drawing.tiles import paint_tiling
+    from tilewright.files.atomic import whole_file
     from tilewright.files.images import write_image
-    from tilewright.files.whole import whole_file
 
     kind = output.suffix.lower()
     if kind == ".svg":

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from tilewright.checks import check_choice
 from tilewright.cli.options import Json, LatticeSeed, Seed, progress_bar, report
-from tilewright.errors import Progress, TilewrightValueError, check_choice
+from tilewright.errors import Progress, TilewrightValueError
 
 if TYPE_CHECKING:
     from tilewright.files.point_files import Blocks

@@ -6,8 +6,9 @@ from typing import Annotated, Any
 
 import typer
 
+from tilewright.checks import check_choice
 from tilewright.cli.options import Json, Seed, parse_pairs, progress_bar, report
-from tilewright.errors import TilewrightError, TilewrightTypeError, TilewrightValueError, check_choice
+from tilewright.errors import TilewrightError, TilewrightTypeError, TilewrightValueError
 
 
 def command(
@@ -70,8 +71,9 @@ def command(
     Calls tilewright.texture_tiles(photo, tiles, ...) and tilewright.save(material, folder); with --from
     tilewright.resynthesize(material, reject=..., pick=...); with --like tilewright.add_maps(material, maps).
     """
-    from tilewright.files import add_maps, load_texture, save, texture_tiles
+    from tilewright.files import load_texture, save
     from tilewright.files.tileset_folder import check_savable
+    from tilewright.jobs import add_maps, texture_tiles
     from tilewright.signals.textures import resynthesize
 
     started = time.perf_counter()

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tilewright.errors import check_choice
+from tilewright.checks import check_choice
 from tilewright.files.images import write_image
 from tilewright.signals.textures import TextureTiles
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import check_choice
+from tilewright.checks import check_choice
 from tilewright.files.images import write_image
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Packing, packing

@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright import __version__
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice
-from tilewright.files.whole import as_path, whole_file
+from tilewright.checks import check_choice
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.files.atomic import as_path, whole_file
 
 _IDENTIFIER = b"\xabKTX 20\xbb\r\n\x1a\n"
 _HEADER = struct.Struct("<12s9I4I2Q")

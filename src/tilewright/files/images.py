@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
-from tilewright.files.whole import as_path, whole_file
+from tilewright.files.atomic import as_path, whole_file
 
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float32, "float": np.float32}
 _MOST_CHANNELS = 4

@@ -13,7 +13,7 @@ import msgspec
 import numpy as np
 
 from tilewright.errors import TilewrightFileError
-from tilewright.files.whole import MANIFEST
+from tilewright.files.atomic import MANIFEST
 from tilewright.tiles import TileSet, tile_set
 from tilewright.tiles.shape import Shape
 

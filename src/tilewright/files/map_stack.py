@@ -5,7 +5,7 @@ import warnings
 from pathlib import Path
 
 from tilewright.errors import TilewrightFileError, TilewrightWarning
-from tilewright.files.whole import as_path
+from tilewright.files.atomic import as_path
 
 # Map -> the words that ambientCG, Poly Haven, Substance and others end its file names with.
 WORDS = {

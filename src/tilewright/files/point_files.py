@@ -8,14 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import (
-    TilewrightError,
-    TilewrightFileError,
-    TilewrightTypeError,
-    TilewrightValueError,
-    check_int,
-)
-from tilewright.files.whole import as_path, check_file, whole_file
+from tilewright.checks import check_int
+from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightTypeError, TilewrightValueError
+from tilewright.files.atomic import as_path, check_file, whole_file
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.point_set import PointSet
 

@@ -2,7 +2,8 @@
 
 from importlib.resources import as_file, files
 
-from tilewright.errors import TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import TilewrightValueError
 from tilewright.files.tileset_folder import load_points
 from tilewright.signals.points import PointTiles
 
@@ -32,7 +33,7 @@ def ready_tiles(colors: int = 4, points: int = 32, rho: float = 0.75) -> PointTi
             f"no set of {colors} colors, {points} points and rho {rho} comes with the package; there are "
             f"{known}, and poisson_tiles() makes any other"
         )
-    with as_file(files("tilewright.files") / "ready_tiles" / folder_name(*wanted)) as folder:
+    with as_file(files("tilewright.files") / "stored_tiles" / folder_name(*wanted)) as folder:
         return load_points(folder)
 
 

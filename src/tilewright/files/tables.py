@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError
-from tilewright.files.whole import as_path
+from tilewright.files.atomic import as_path
 
 Read = TypeVar("Read")
 

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright import __version__
-from tilewright.errors import TilewrightFileError, check_choice
+from tilewright.checks import check_choice
+from tilewright.errors import TilewrightFileError
 from tilewright.files.images import lossless_suffix, read_image, write_image
 from tilewright.files.manifest import SCHEMA, Reader, Tiles, Writer
 from tilewright.signals.textures import TextureTiles

@@ -7,10 +7,10 @@ import os
 from pathlib import Path
 
 from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightTypeError
+from tilewright.files.atomic import MANIFEST, as_path, check_folder, whole_folder
 from tilewright.files.manifest import find_objection, read_head, read_manifest
 from tilewright.files.points_folder import PointManifest, read_point_tiles, write_point_tiles
 from tilewright.files.texture_folder import TextureManifest, read_texture, write_texture
-from tilewright.files.whole import MANIFEST, as_path, check_folder, whole_folder
 from tilewright.signals.points import PointTiles
 from tilewright.signals.textures import TextureTiles
 

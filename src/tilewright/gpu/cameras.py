@@ -13,7 +13,8 @@ from math import cos, floor, inf, pi, sin, tan
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_int, check_real
+from tilewright.checks import check_int, check_real
+from tilewright.errors import TilewrightValueError
 from tilewright.tilings.domain import LARGEST_CELL
 
 _LARGEST_SIDE = 2**15

@@ -5,17 +5,17 @@ from typing import Any
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
-from tilewright.fields.pair import check_pair
+from tilewright.fields.agreement import check_agreement
 from tilewright.gpu.cameras import Camera, Sight
 from tilewright.gpu.device import open_gpu
-from tilewright.gpu.hashing import shader_hash, view_bytes
-from tilewright.gpu.layouts import check_set, make_layout
 from tilewright.gpu.painter import Painter
 from tilewright.gpu.pixels import PixelFormat
+from tilewright.shaders.hashing import shader_hash, view_bytes
+from tilewright.shaders.layouts import check_set, make_layout
+from tilewright.shaders.mipmaps import Mipmaps
 from tilewright.signals.textures import TextureTiles
-from tilewright.signals.textures.mipmaps import Mipmaps
 from tilewright.tilings import Tiling
-from tilewright.tilings.direct import DirectTiling
+from tilewright.tilings.direct_tiling import DirectTiling
 
 
 class GpuField:
@@ -55,7 +55,7 @@ class GpuField:
     def __init__(
         self, material: TextureTiles, tiling: Tiling, *, layout: str | None = None, map: str | None = None
     ) -> None:
-        check_pair(material, TextureTiles, tiling)
+        check_agreement(material, TextureTiles, tiling)
         check_set(material.tiles)
         hash = shader_hash(check_tiling(tiling).hash, material.tiles.colors)
         lookup = make_layout(material, layout, map)

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from tilewright.errors import GpuError, TilewrightTypeError
 from tilewright.gpu.cameras import Camera, Sight
 from tilewright.gpu.device import Gpu
-from tilewright.gpu.hashing import ShaderHash
-from tilewright.gpu.layouts import Layout
 from tilewright.gpu.pixels import PixelFormat
-from tilewright.gpu.shaders import VERTEX, assemble, read_part
+from tilewright.shaders.assembly import VERTEX, assemble, read_part
+from tilewright.shaders.hashing import ShaderHash
+from tilewright.shaders.layouts import Layout
 
 BLOCK = 1024
 """Side of the blocks that a picture is drawn in: their coordinates are exact enough in 32-bit floats."""
@@ -23,13 +23,13 @@ class Painter:
     """A compiled shader with its textures, and a canvas of one block."""
 
     def __init__(self, gpu: Gpu, layout: Layout, hash: ShaderHash | None, pixels: PixelFormat) -> None:
-        layout.check_fits(gpu)
+        _check_fits(layout, gpu)
         if pixels.target_dtype == np.float32 and not gpu.filters_floats:
             raise GpuError(
                 f"{gpu.name} cannot filter 32-bit floats, which {pixels.dtype} maps need; make them uint8"
             )
         self._gpu, self._pixels = gpu, pixels
-        fragment = assemble(hash, layout.parts, "field.frag", layout.defines)
+        fragment = assemble(hash, layout.parts, read_part("field.frag"), layout.defines)
         self._program = gpu.program(read_part(VERTEX), fragment, pixels.target)
         self._view = gpu.buffer(bytes(_VIEW_BYTES), uniform=True)
         resources: dict[int, Any] = {0: self._view}
@@ -68,3 +68,18 @@ class Painter:
     def read(self, width: int, height: int) -> NDArray[Any]:
         """The north-west of the block that was drawn last, in the type of the map."""
         return self._pixels.download(self._gpu.read(self._canvas, width, height, self._pixels.target_dtype))
+
+
+def _check_fits(layout: Layout, gpu: Gpu) -> None:
+    """Raise where a GPU has no textures of a layout's size."""
+    for mips in layout.textures:
+        layers, *sides, _ = mips.levels[0].shape
+        if max(sides) > gpu.longest_side:
+            raise GpuError(
+                f"the {layout.name} is {sides[1]} x {sides[0]} texels, {gpu.name} takes {gpu.longest_side} "
+                "along a side; use fewer colors or smaller tiles"
+            )
+        if layers > gpu.most_layers:
+            raise GpuError(
+                f"the array has {layers} layers, {gpu.name} takes {gpu.most_layers}; use layout='atlas'"
+            )

@@ -5,13 +5,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_choice
+from tilewright.checks import check_choice
+from tilewright.errors import TilewrightValueError
 from tilewright.gpu.cameras import Camera, Sight
 from tilewright.gpu.device import open_gpu
-from tilewright.gpu.hashing import view_bytes
-from tilewright.gpu.layouts import plain_layout
 from tilewright.gpu.painter import Painter
 from tilewright.gpu.pixels import PixelFormat
+from tilewright.shaders.hashing import view_bytes
+from tilewright.shaders.layouts import plain_layout
 from tilewright.signals.textures.kinds import KINDS
 
 

@@ -6,7 +6,8 @@ from math import inf, prod
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_real
+from tilewright.checks import check_real
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 _SMALLEST, _LARGEST = 1e-100, 1e100
 

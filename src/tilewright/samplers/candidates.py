@@ -5,12 +5,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import Progress, check_int
+from tilewright.checks import check_int
+from tilewright.errors import Progress
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.feasibility import check_box, check_count
 from tilewright.samplers.grid import Grid, coarsen, look_around
 from tilewright.samplers.point_set import PointSet
-from tilewright.samplers.request import check_box, check_count
+from tilewright.seeds import Seed, make_key
 
 _CELLS_EACH = 64.0
 """Small cells for each point, of which those far from all points are known."""

@@ -5,10 +5,11 @@ from importlib import import_module
 from inspect import signature
 from typing import Any
 
-from tilewright.errors import Progress, TilewrightTypeError, check_choice
+from tilewright.checks import check_choice
+from tilewright.errors import Progress, TilewrightTypeError
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed
 from tilewright.samplers.point_set import PointSet
+from tilewright.seeds import Seed
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,11 @@ import numpy as np
 
 from tilewright.errors import Progress
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.feasibility import check_box, check_count, check_distance, too_full
 from tilewright.samplers.filling import SMALL
 from tilewright.samplers.grid import Grid
 from tilewright.samplers.point_set import PointSet
-from tilewright.samplers.request import check_box, check_count, check_distance, too_full
+from tilewright.seeds import Seed, make_key
 
 _BATCH = 2**18
 _PATIENCE = 4000

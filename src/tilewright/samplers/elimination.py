@@ -5,14 +5,15 @@ from math import ceil
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import Progress, TilewrightValueError, check_real
+from tilewright.checks import check_real
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed
+from tilewright.samplers.feasibility import check_box, check_count
 from tilewright.samplers.grid import Bins, look_around
 from tilewright.samplers.point_set import PointSet
 from tilewright.samplers.radius import max_radius
-from tilewright.samplers.request import check_box, check_count
 from tilewright.samplers.yardsticks import uniform
+from tilewright.seeds import Seed
 
 _POWER = 8.0
 _LIMIT, _LIMIT_POWER = 0.65, 1.5

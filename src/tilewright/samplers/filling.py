@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.samplers.box import Box
+from tilewright.samplers.feasibility import check_distance, full_distance, most_points, too_full
 from tilewright.samplers.point_set import PointSet
-from tilewright.samplers.request import check_distance, full_distance, most_points, too_full
 
 Run = Callable[[float, int, int], tuple[NDArray[np.float64], bool]]
 """``run(distance, most, first)``: up to ``most`` points, and whether no room is left for another.

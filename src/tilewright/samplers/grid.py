@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.samplers.box import Box
-from tilewright.samplers.request import check_memory
+from tilewright.samplers.feasibility import check_memory
 
 _CELLS_EACH = 8
 """Cells for each point beyond which a finer grid finds nothing faster."""

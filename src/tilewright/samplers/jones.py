@@ -5,10 +5,10 @@ from numpy.typing import NDArray
 
 from tilewright.errors import Progress
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.feasibility import check_box, check_count
 from tilewright.samplers.filling import fill
 from tilewright.samplers.point_set import PointSet
-from tilewright.samplers.request import check_box, check_count
+from tilewright.seeds import Seed, make_key
 
 _BATCH = 2**14
 _BYTES_EACH = 600

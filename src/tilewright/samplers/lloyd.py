@@ -4,13 +4,14 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import Progress, TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed
+from tilewright.samplers.feasibility import check_box, check_count, check_distance
 from tilewright.samplers.grid import Bins
 from tilewright.samplers.point_set import PointSet
 from tilewright.samplers.relaxation import relaxation_darts
-from tilewright.samplers.request import check_box, check_count, check_distance
+from tilewright.seeds import Seed
 
 
 def lloyd_relaxation(

@@ -5,14 +5,15 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import Progress, check_real
+from tilewright.checks import check_real
+from tilewright.errors import Progress
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, make_key
 from tilewright.samplers.darts import dart_throwing
+from tilewright.samplers.feasibility import check_box, check_count
 from tilewright.samplers.filling import LEAST_RHO, fill
 from tilewright.samplers.grid import Grid
 from tilewright.samplers.point_set import PointSet
-from tilewright.samplers.request import check_box, check_count
+from tilewright.seeds import Seed, make_key
 
 _DARTS_EACH = 1.0
 """Darts for each active cell before the cells are split."""

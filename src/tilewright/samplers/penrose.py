@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.feasibility import check_box, check_count
 from tilewright.samplers.point_set import PointSet
-from tilewright.samplers.request import check_box, check_count
+from tilewright.seeds import Seed, make_key
 
 PHI = (1 + sqrt(5)) / 2
 TURNS = np.exp(1j * pi / 10 * np.arange(20))

@@ -3,12 +3,13 @@
 
 import numpy as np
 
-from tilewright.errors import Progress, check_int, check_real
+from tilewright.checks import check_int, check_real
+from tilewright.errors import Progress
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.feasibility import check_box, check_count
 from tilewright.samplers.grid import Grid
 from tilewright.samplers.point_set import PointSet
-from tilewright.samplers.request import check_box, check_count
+from tilewright.seeds import Seed, make_key
 
 _BATCH = 2**20
 _STEP = 0.7

@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 
 from tilewright.errors import Progress
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.feasibility import check_box, check_count, most_points
 from tilewright.samplers.filling import about_distance
 from tilewright.samplers.grid import Grid
 from tilewright.samplers.point_set import PointSet
-from tilewright.samplers.request import check_box, check_count, most_points
+from tilewright.seeds import Seed, make_key
 
 _BATCH = 2**13
 

@@ -10,7 +10,8 @@ from functools import cache
 
 import numpy as np
 
-from tilewright.errors import TilewrightValueError, check_choice
+from tilewright.checks import check_choice
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles.blocks import drop_idle
 from tilewright.tiles.families import as_wang_tiles
 from tilewright.tiles.merging import grouped_subdivision, merge_colors

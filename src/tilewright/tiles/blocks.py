@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles.tileset import TileSet, check_tiles
 from tilewright.tiles.translations import count_pairs, join
 

@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles.shape import WANG
 from tilewright.tiles.tileset import MOST_FAMILY_COLORS, TileSet, check_tiles, decode
 

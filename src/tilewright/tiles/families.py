@@ -9,7 +9,8 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_choice, check_int
+from tilewright.checks import check_choice, check_int
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles.shape import CORNER, CORNER_CODED, CORNER_CUBE, DOMINO, WANG, WANG_CUBE, Shape
 from tilewright.tiles.tileset import TileSet, check_colors, check_tiles, decode
 

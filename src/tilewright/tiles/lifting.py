@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles.blocks import LARGEST_BLOCK, Blocks, match_along, possible_blocks
 from tilewright.tiles.merging import check_mapping
 from tilewright.tiles.shape import CORNER

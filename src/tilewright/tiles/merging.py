@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tilewright.checks import as_integers
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.shape import CORNER
-from tilewright.tiles.tileset import MOST_COLORS, TileSet, as_integers, check_tiles
+from tilewright.tiles.tileset import MOST_COLORS, TileSet, check_tiles
 from tilewright.tiles.translations import distinct, subdivide, wang_slots
 
 _MOST_GROUPED = 20

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
+from tilewright.checks import as_integers, check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles.shape import Shape
 
 MOST_COLORS = 2**15
@@ -158,28 +159,6 @@ def _radices(shape: Shape, table: NDArray[Any]) -> tuple[int, ...]:
             for far, near in joint:
                 most[far] = most[near] = max(most[far], most[near])
     return tuple(int(m) for m in most)
-
-
-def as_integers(name: str, given: ArrayLike) -> NDArray[Any]:
-    """An array of integers that fit into int64, or one clear line."""
-    try:
-        values = np.asarray(given)
-    except ValueError:
-        raise TilewrightValueError(f"{name} is not a table of equally long rows") from None
-    if values.size == 0 and values.dtype == np.float64:  # an empty list has no type of its own
-        values = values.astype(np.int64)
-    if values.dtype == object and all(isinstance(v, int) for v in values.flat):
-        try:
-            return values.astype(np.int64)
-        except OverflowError:
-            raise TilewrightValueError(
-                f"{name} holds integers beyond 64 bits; allowed are -2^63 to 2^63 - 1"
-            ) from None
-    if values.dtype.kind not in "iu":
-        raise TilewrightTypeError(f"{name} must hold integers, not {values.dtype}")
-    if values.dtype == np.uint64 and values.size and values.max() >= 2**63:
-        raise TilewrightValueError(f"{name} holds {values.max()}; allowed are -2^63 to 2^63 - 1")
-    return values
 
 
 def check_tiles(name: str, given: Any) -> "TileSet":

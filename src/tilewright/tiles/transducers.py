@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles.families import as_wang_tiles
 from tilewright.tiles.shape import CORNER
 from tilewright.tiles.tileset import TileSet, check_tiles

@@ -9,7 +9,8 @@ import warnings
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, TilewrightWarning, check_choice
+from tilewright.checks import check_choice
+from tilewright.errors import TilewrightValueError, TilewrightWarning
 from tilewright.tiles.shape import CORNER, WANG
 from tilewright.tiles.tileset import TileSet, check_tiles
 

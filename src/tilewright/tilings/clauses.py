@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import Progress, TilewrightError, TilewrightTypeError, TilewrightValueError, check_real
+from tilewright.checks import check_real
+from tilewright.errors import Progress, TilewrightError, TilewrightTypeError, TilewrightValueError
 
 Literals = NDArray[np.int32]
 Truth = NDArray[np.bool_]

@@ -6,11 +6,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice, check_real
+from tilewright.checks import check_choice, check_real
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles import CORNER, CORNER_CODED, TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.algorithms import Lattice, Slots, corner_slots, evaluate
-from tilewright.tilings.direct import SlotTiling, recognize
+from tilewright.tilings.direct_tiling import SlotTiling, recognize
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import LatticeHash, as_grid, make_hash
 

@@ -6,7 +6,8 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 LARGEST_CELL = 2**61
 _MOST_CELLS = 2**31

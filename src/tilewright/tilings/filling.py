@@ -3,9 +3,11 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import Progress, TilewrightValueError, check_int, check_progress, check_seed
+from tilewright.checks import as_integers, check_int, check_progress
+from tilewright.errors import Progress, TilewrightValueError
+from tilewright.seeds import check_seed
 from tilewright.tiles import Shape, TileSet
-from tilewright.tiles.tileset import as_integers, check_tiles
+from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.clauses import Clauses, Literals, Truth
 from tilewright.tilings.tiling import ArrayTiling
 
@@ -14,7 +16,7 @@ _MOST_VARIABLES = 2**25
 _LONGEST = 4096
 
 
-def fill(
+def filled_tiling(
     tiles: TileSet,
     width: int,
     height: int,

@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_seed
-from tilewright.tiles.tileset import MOST_COLORS, as_integers, slot_type
+from tilewright.checks import as_integers, check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.seeds import check_seed
+from tilewright.tiles.tileset import MOST_COLORS, slot_type
 
 Coordinates = NDArray[np.int64]
 Colors = NDArray[np.unsignedinteger[Any]]

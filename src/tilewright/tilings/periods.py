@@ -2,7 +2,9 @@
 
 import time
 
-from tilewright.errors import Progress, check_int, check_progress, check_real, check_seed
+from tilewright.checks import check_int, check_progress, check_real
+from tilewright.errors import Progress
+from tilewright.seeds import check_seed
 from tilewright.tiles import TileSet
 from tilewright.tilings.clauses import Clauses, Undecided
 from tilewright.tilings.filling import add_tiling, check_square, read_tiling

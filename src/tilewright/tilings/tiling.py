@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tilewright.checks import as_integers
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles import TileSet
-from tilewright.tiles.tileset import as_integers, check_tiles
+from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.domain import Domain
 
 _MOST_TILES = 2**31

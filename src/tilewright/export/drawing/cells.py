@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, brief, check_choice, check_int
+from tilewright.checks import as_integers, brief, check_choice, check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.export.drawing.svg import document, element
 from tilewright.export.drawing.tiles import MOST_PIXELS, color_of
-from tilewright.tiles.tileset import as_integers
 
 MOTIFS = ("fill", "strokes", "arcs")
 MOST_CELLS = 2**20

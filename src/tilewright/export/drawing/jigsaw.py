@@ -12,17 +12,12 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import (
-    TilewrightFileError,
-    TilewrightTypeError,
-    TilewrightValueError,
-    check_choice,
-    check_real,
-)
+from tilewright.checks import check_choice, check_real
+from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
 from tilewright.export.drawing.svg import document, element, path_of, text
 from tilewright.export.drawing.tiles import color_of
+from tilewright.files.atomic import as_path
 from tilewright.files.images import read_image
-from tilewright.files.whole import as_path
 from tilewright.tiles import CORNER, WANG
 from tilewright.tilings import Tiling
 

@@ -8,7 +8,7 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.files.whole import as_path, whole_file
+from tilewright.files.atomic import as_path, whole_file
 
 
 def element(tag: str, *content: str, **attributes: str | float) -> str:

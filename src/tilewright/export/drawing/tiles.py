@@ -8,7 +8,8 @@ from math import cos, pi, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import TilewrightValueError
 from tilewright.export.drawing.svg import document, element, path_of, text
 from tilewright.tiles import Shape, TileSet
 from tilewright.tiles.tileset import check_tiles

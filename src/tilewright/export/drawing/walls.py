@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError, check_choice, check_real
+from tilewright.checks import check_choice, check_real
+from tilewright.errors import TilewrightValueError
 from tilewright.export.drawing.svg import document, element, path_of
-from tilewright.fields.brick_field import BrickField
-from tilewright.fields.brick_patterns import BrickPattern, Bricks, RegionBricks
+from tilewright.fields.bricks.field import BrickField
+from tilewright.fields.bricks.patterns import BrickPattern, Bricks, RegionBricks
 from tilewright.tilings import Tiling
 from tilewright.tilings.bricks import BrickRegion
 

@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 from tilewright.export.engines.folder import Kit, file_names
-from tilewright.export.engines.lookup import fill
+from tilewright.export.engines.parts import fill
 from tilewright.files.images import lossless_suffix, write_image
 
 

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 
 from tilewright import __version__
 from tilewright.errors import TilewrightValueError
-from tilewright.export.engines.lookup import ARRAY_TILES, MOST_COLORS, lookup, numbers, start_states
 from tilewright.export.ktx2 import gpu_bytes
+from tilewright.shaders.lookup import ARRAY_TILES, MOST_COLORS, lookup, numbers, start_states
+from tilewright.shaders.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import is_normal, is_signed, to_linear
-from tilewright.signals.textures.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps
 from tilewright.tiles import CORNER
 from tilewright.tilings import packing
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.export.engines.folder import Kit, Levels, file_names
-from tilewright.export.engines.lookup import fill
+from tilewright.export.engines.parts import fill
 
 _FORMATS = {
     ("u1", 1): "Red8",

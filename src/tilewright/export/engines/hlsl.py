@@ -4,7 +4,7 @@ from pathlib import Path
 
 from tilewright.export.engines.dds import write_dds
 from tilewright.export.engines.folder import Kit, file_names
-from tilewright.export.engines.lookup import fill
+from tilewright.export.engines.parts import fill
 
 
 def write(folder: Path, kit: Kit) -> None:

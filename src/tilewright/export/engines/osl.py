@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError
 from tilewright.export.engines.folder import Kit, file_names
-from tilewright.export.engines.lookup import fill
+from tilewright.export.engines.parts import fill
 from tilewright.files.images import NO_DATE
 
 

@@ -4,9 +4,11 @@ from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
-from tilewright.errors import TilewrightTypeError, check_choice, check_seed
+from tilewright.checks import check_choice
+from tilewright.errors import TilewrightTypeError
 from tilewright.export.engines.folder import Kit, find_objection, prepare
-from tilewright.files.whole import whole_folder
+from tilewright.files.atomic import whole_folder
+from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
 
 _ATLAS, _GREEN_DOWN = ("atlas", "unreal", "blender", "osl"), ("unreal",)

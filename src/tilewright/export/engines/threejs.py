@@ -5,7 +5,8 @@ from pathlib import Path
 
 from tilewright.export.engines.folder import Kit
 from tilewright.export.engines.ktx2 import write_textures
-from tilewright.export.engines.lookup import fill, real
+from tilewright.export.engines.parts import fill
+from tilewright.shaders.lookup import real
 
 _PARTS = ("tilewright.js", "index.html", "package.json")
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from tilewright.export.engines.dds import write_dds
 from tilewright.export.engines.folder import Kit, file_names, pad_levels
-from tilewright.export.engines.lookup import fill
+from tilewright.export.engines.parts import fill
 
 
 def write(folder: Path, kit: Kit) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from tilewright.export.engines.folder import Kit
-from tilewright.export.engines.lookup import fill
+from tilewright.export.engines.parts import fill
 
 _CHANNELS = {1: ("R", "RED"), 2: ("RG", "RG"), 4: ("RGBA", "RGBA")}
 

@@ -1,5 +1,5 @@
 """The viewer: one HTML file that shows an endless texture in a browser."""
 
-from tilewright.export.viewer.page import save_viewer
+import lazy_loader
 
-__all__ = ["save_viewer"]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -12,9 +12,9 @@ from tilewright.export.viewer.parts import fill, part
 from tilewright.export.viewer.pictures import describe_map, encode_png, mean_color
 from tilewright.export.viewer.sets import describe_set
 from tilewright.fields import TextureField
-from tilewright.fields.contenders import Contender, SideBySide
-from tilewright.fields.gaussian import gaussianize
-from tilewright.fields.photo_fields import NoiseField, patch_range, triangle_grid
+from tilewright.fields.photos.contenders import Contender, SideBySide
+from tilewright.fields.photos.gaussian import gaussianize
+from tilewright.fields.photos.methods import NoiseField, patch_range, triangle_grid
 from tilewright.signals.textures import copy_from_sources
 
 # Figure -> (head of its column, what it says); those of contrast share a column.

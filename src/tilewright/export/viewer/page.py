@@ -11,14 +11,15 @@ from pathlib import Path
 from typing import Any
 
 from tilewright import __version__
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_seed
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.compared import describe_comparison, fill_comparison
-from tilewright.export.viewer.parts import fill, part
+from tilewright.export.viewer.parts import fill, part, shader
 from tilewright.export.viewer.pictures import describe_map
 from tilewright.export.viewer.sets import BAKED_CELLS, describe_set, is_baked
-from tilewright.fields.contenders import SideBySide
-from tilewright.files.whole import as_path, check_file, whole_file
+from tilewright.fields.photos.contenders import SideBySide
+from tilewright.files.atomic import as_path, check_file, whole_file
+from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
 
 _SCRIPTS = ("lattice.js", "camera.js", "renderer.js", "photo.js", "controls.js", "comparison.js", "main.js")
@@ -120,7 +121,7 @@ def _assemble(material: TextureTiles, seed: int, title: str, compare: SideBySide
 
 
 def _shader(name: str) -> str:
-    return f'<script type="x-shader/x-fragment" id="{name}">\n{part(name)}\n</script>'
+    return f'<script type="x-shader/x-fragment" id="{name}">\n{shader(name)}\n</script>'
 
 
 def _describe(material: TextureTiles, seed: int) -> dict[str, Any]:

@@ -1,14 +1,18 @@
 """The files the page is put together from."""
 
-import re
-from importlib.resources import files
+from tilewright.shaders import templates
 
 
 def part(name: str) -> str:
-    """The text of a part."""
-    return (files(__package__) / name).read_text(encoding="utf-8").strip()
+    """The text of a part beside this file."""
+    return templates.read_text(__package__, name).strip()
+
+
+def shader(name: str) -> str:
+    """The text of one of the page's shaders."""
+    return templates.read_text("tilewright.shaders", f"viewer/{name}").strip()
 
 
 def fill(name: str, **values: str) -> str:
-    """A part with each ``{{name}}`` replaced, in one pass."""
-    return re.sub(r"\{\{(\w+)\}\}", lambda match: values[match[1]], part(name))
+    """A part with its placeholders filled."""
+    return templates.fill(part(name), **values)

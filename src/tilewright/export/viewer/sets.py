@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.tiles import TileSet
 from tilewright.tilings import stochastic
-from tilewright.tilings.direct import recognize
+from tilewright.tilings.direct_tiling import recognize
 
 BAKED_CELLS = 256
 """Side of the patch of cells shown where the page cannot evaluate the tiling itself."""

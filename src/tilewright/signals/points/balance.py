@@ -29,7 +29,7 @@ def balance(plan: Plan, parts: Parts, progress: Progress | None = None) -> None:
     """Move the points of all parts; interiors may be a little crowded in the end, see `settle`."""
     reach = 2 * window_reach(plan.points)
     shape = _ring_shape(plan, reach)
-    solver = _Poisson(plan, reach)
+    solver = _PoissonEquation(plan, reach)
     meets = plan.anatomy.meetings()
     weights = parts.all_points(plan)[1]
     limit = _START * float((weights**2).sum())
@@ -75,7 +75,7 @@ def _ring_shape(plan: Plan, reach: int) -> NDArray[np.float64]:
     return np.clip((expected / crowd) ** _RING, 0.4, 1)
 
 
-class _Poisson:
+class _PoissonEquation:
     """Finds velocities under which a spectrum shrinks: u = -grad psi with -laplace psi = its density."""
 
     def __init__(self, plan: Plan, reach: int) -> None:

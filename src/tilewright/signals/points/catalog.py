@@ -5,8 +5,9 @@ from dataclasses import asdict, dataclass
 from importlib import import_module
 from typing import Any
 
-from tilewright.errors import Progress, TilewrightTypeError, check_choice
-from tilewright.samplers.chance import Seed
+from tilewright.checks import check_choice
+from tilewright.errors import Progress, TilewrightTypeError
+from tilewright.seeds import Seed
 from tilewright.signals.points.point_tiles import PointTiles
 from tilewright.signals.points.spikes import find_spikes
 from tilewright.tiles import TileSet, corner_tiles, crossed_wang_tiles

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import Progress, TilewrightValueError
-from tilewright.samplers.chance import derive_key
+from tilewright.seeds import derive_key
 from tilewright.signals.points.anatomy import COLUMN_EDGE, CORNER_PART, ROW_EDGE
 from tilewright.signals.points.plan import Parts, Plan
 from tilewright.tiles import CORNER

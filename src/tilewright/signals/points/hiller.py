@@ -3,10 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import Progress, TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, make_key
 from tilewright.samplers.radius import max_radius
+from tilewright.seeds import Seed, make_key
 from tilewright.signals.points.neighborhood import (
     EAST,
     NORTH,

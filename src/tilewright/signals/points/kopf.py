@@ -7,9 +7,10 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import Progress, TilewrightValueError, check_int
-from tilewright.samplers.chance import Seed, make_key
+from tilewright.checks import check_int
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.relaxation import relaxation_darts
+from tilewright.seeds import Seed, make_key
 from tilewright.signals.points.merging import merge
 from tilewright.signals.points.point_tiles import PointTiles
 from tilewright.signals.points.promise import find_closeness

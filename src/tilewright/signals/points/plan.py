@@ -7,8 +7,8 @@ from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import derive_key
 from tilewright.samplers.radius import max_radius
+from tilewright.seeds import derive_key
 from tilewright.signals.points.anatomy import (
     INTERIOR,
     LARGEST_RADIUS,

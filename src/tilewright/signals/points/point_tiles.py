@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_real
+from tilewright.checks import check_int, check_real
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
 

@@ -10,7 +10,8 @@ from math import inf, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_real
+from tilewright.checks import check_real
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import max_radius
 from tilewright.signals.points.point_tiles import PointTiles

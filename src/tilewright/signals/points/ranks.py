@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import derive_key
 from tilewright.samplers.radius import max_radius
+from tilewright.seeds import derive_key
 from tilewright.tiles import CORNER, TileSet
 
 _NEIGHBORHOODS = 8192

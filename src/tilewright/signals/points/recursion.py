@@ -5,10 +5,10 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_real
+from tilewright.checks import as_integers, check_real
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.signals.points.point_tiles import PointTiles
 from tilewright.tiles import TileSet
-from tilewright.tiles.tileset import as_integers
 
 _RULES = 5000
 """Random rules for edges that are tried before giving up."""

@@ -4,11 +4,12 @@ from math import pi, sqrt
 
 import numpy as np
 
-from tilewright.errors import Progress, TilewrightValueError, check_int, check_real
+from tilewright.checks import check_int, check_real
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, make_key
+from tilewright.samplers.feasibility import most_points
 from tilewright.samplers.radius import max_radius
-from tilewright.samplers.request import most_points
+from tilewright.seeds import Seed, make_key
 from tilewright.signals.points.neighborhood import OFFSETS, Neighbors
 from tilewright.signals.points.point_tiles import PointTiles
 from tilewright.tiles import TileSet, cohen_tiles

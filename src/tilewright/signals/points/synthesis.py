@@ -4,10 +4,11 @@ from dataclasses import asdict
 
 import numpy as np
 
-from tilewright.errors import Progress, TilewrightValueError, check_choice, check_int, check_real
+from tilewright.checks import check_choice, check_int, check_real
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
-from tilewright.samplers.chance import Seed, derive_key, make_key
 from tilewright.samplers.radius import max_radius
+from tilewright.seeds import Seed, derive_key, make_key
 from tilewright.signals.points.balance import balance, settle
 from tilewright.signals.points.frames import grow_frame
 from tilewright.signals.points.plan import Parts, Plan, fill_interiors

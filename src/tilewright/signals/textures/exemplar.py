@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice, check_real
+from tilewright.checks import check_choice, check_real
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.signals.textures.kinds import KINDS, guess_kind, is_normal
 
 Maps = dict[str, NDArray[Any]]

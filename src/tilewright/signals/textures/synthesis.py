@@ -7,15 +7,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from tilewright.errors import (
-    Progress,
-    TilewrightTypeError,
-    TilewrightValueError,
-    TilewrightWarning,
-    check_choice,
-    check_int,
-    check_seed,
-)
+from tilewright.checks import check_choice, check_int
+from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError, TilewrightWarning
+from tilewright.seeds import check_seed
 from tilewright.signals.textures.diamonds import lay_burke, lay_diamonds, lay_diamonds_with_centers
 from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.nested import lay_nested

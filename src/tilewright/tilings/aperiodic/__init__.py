@@ -1,6 +1,5 @@
 """Endless tilings by aperiodic sets, evaluated anywhere."""
 
-from tilewright.tilings.aperiodic.endless import aperiodic_tiling
-from tilewright.tilings.aperiodic.translated import TranslatedTiling, translated_tiling
+import lazy_loader
 
-__all__ = ["TranslatedTiling", "aperiodic_tiling", "translated_tiling"]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -5,7 +5,8 @@ from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
 
-from tilewright.errors import TilewrightError, TilewrightValueError, TilewrightWarning, check_seed
+from tilewright.errors import TilewrightError, TilewrightValueError, TilewrightWarning
+from tilewright.seeds import check_seed
 from tilewright.tiles import TileSet
 from tilewright.tiles.aperiodic import MERGE_TO_24, MERGE_TO_26, MERGE_TO_31, aperiodic_tiles
 from tilewright.tiles.blocks import drop_idle
@@ -37,7 +38,8 @@ def aperiodic_tiling(tiles: TileSet, seed: int = 0) -> Tiling:
     ----------
     tiles : TileSet
         A set of `aperiodic_tiles`, or one that `as_corner_tiles` makes of such a Wang set, in any order of
-        its tiles. `translated_tiling` leads on to further sets, `fill` tiles a rectangle with any set.
+        its tiles. `translated_tiling` leads on to further sets, `filled_tiling` tiles a rectangle
+        with any set.
     seed : int
         0 to 2^64 - 1: where in the endless family of its tilings this one lies.
 
@@ -63,7 +65,8 @@ def aperiodic_tiling(tiles: TileSet, seed: int = 0) -> Tiling:
     if make is None:
         raise TilewrightValueError(
             f"no endless tiling is known for the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; "
-            "direct() tiles the plane with complete and compact sets, fill() a rectangle with any that can"
+            "direct() tiles the plane with complete and compact sets, filled_tiling() a rectangle with any "
+            "that can"
         )
     return make(tiles, seed)
 

@@ -7,11 +7,12 @@ plane becomes another, and any window of it is as near as before.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_choice
+from tilewright.checks import check_choice
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles import TileSet, as_wang_tiles
 from tilewright.tiles.translations import CONSTRUCTIONS, as_corner_tiles
 from tilewright.tilings.algorithms import Slots, corner_slots
-from tilewright.tilings.direct import SlotTiling
+from tilewright.tilings.direct_tiling import SlotTiling
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.tiling import Tiling
 

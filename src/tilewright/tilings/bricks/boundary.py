@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightValueError, check_seed
+from tilewright.checks import as_integers
+from tilewright.errors import TilewrightValueError
+from tilewright.seeds import check_seed
 from tilewright.tiles import TileSet
 from tilewright.tiles.bricks import brick_tiles, number_bricks
-from tilewright.tiles.tileset import as_integers
 from tilewright.tilings.bricks.endless import check_longest
 from tilewright.tilings.bricks.from_dappled import as_cells
 from tilewright.tilings.bricks.parts import Links, find_links, find_parts, lay_parts

@@ -17,7 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
+from tilewright.checks import check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles.bricks import brick_tiles
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import MixerHash
@@ -34,8 +35,8 @@ _CHUNK_WORDS, _CHUNK_ROWS = 64, 512
 Tiles = NDArray[np.int32]
 
 
-class EndlessBricks(Tiling):
-    """An endless wall; made by `endless_bricks`.
+class EndlessBrickTiling(Tiling):
+    """An endless wall; made by `endless_brick_tiling`.
 
     Attributes
     ----------
@@ -107,7 +108,9 @@ class EndlessBricks(Tiling):
         return (2, 2 * longest + 6, longest + 2) if self.tiles.colors[0] == 2 else (1, longest + 1, 1)
 
 
-def endless_bricks(positions: int = 4, seed: int = 0, *, longest: tuple[int, int] = (3, 3)) -> EndlessBricks:
+def endless_brick_tiling(
+    positions: int = 4, seed: int = 0, *, longest: tuple[int, int] = (3, 3)
+) -> EndlessBrickTiling:
     """A random brick wall without end, any window of which is evaluated by itself.
 
     Parameters
@@ -124,9 +127,9 @@ def endless_bricks(positions: int = 4, seed: int = 0, *, longest: tuple[int, int
 
     Returns
     -------
-    EndlessBricks
+    EndlessBrickTiling
     """
-    return EndlessBricks(positions, seed, longest)
+    return EndlessBrickTiling(positions, seed, longest)
 
 
 def check_longest(given: Any, low: int, high: int) -> tuple[int, int]:

@@ -3,9 +3,9 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tilewright.checks import as_integers
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.bricks import brick_tiles, number_bricks
-from tilewright.tiles.tileset import as_integers
 from tilewright.tilings.hashes import MixerHash
 from tilewright.tilings.tiling import ArrayTiling
 

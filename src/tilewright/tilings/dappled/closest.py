@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import Progress, TilewrightValueError, check_int, check_progress, check_real
+from tilewright.checks import check_int, check_progress, check_real
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.tilings.clauses import Undecided
 from tilewright.tilings.dappled.completing import Impossible
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Limit, Most, as_mapping

@@ -6,15 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import (
-    Progress,
-    TilewrightTypeError,
-    TilewrightValueError,
-    brief,
-    check_int,
-    check_progress,
-    check_seed,
-)
+from tilewright.checks import brief, check_int, check_progress
+from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.seeds import check_seed
 from tilewright.tilings.clauses import Clauses
 from tilewright.tilings.dappled.conditions import (
     Cells,

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int
-from tilewright.tiles.tileset import as_integers
+from tilewright.checks import as_integers, check_int
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 Cells = NDArray[np.uint8]
 Integers = NDArray[np.int64]

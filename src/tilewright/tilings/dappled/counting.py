@@ -5,7 +5,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from tilewright.errors import Progress, TilewrightValueError, check_int, check_progress
+from tilewright.checks import check_int, check_progress
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.tilings.dappled.conditions import NEVER, Conditions, Most, as_mapping
 
 _MOST_STATES = 200_000

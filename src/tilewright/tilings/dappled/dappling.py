@@ -5,7 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_seed
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.seeds import check_seed
 from tilewright.tilings.dappled.completing import mend
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.dappled.surgery import as_problem, rectify, refusal

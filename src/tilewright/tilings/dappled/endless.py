@@ -5,7 +5,9 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightValueError, check_real, check_seed
+from tilewright.checks import check_real
+from tilewright.errors import TilewrightValueError
+from tilewright.seeds import check_seed
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Most, as_cells
 from tilewright.tilings.dappled.surgery import is_remark
 from tilewright.tilings.domain import Domain
@@ -18,8 +20,8 @@ _STREAM = 14
 Start = float | Callable[[NDArray[np.int64], NDArray[np.int64]], ArrayLike]
 
 
-class EndlessDapple:
-    """A dappled tiling of the plane with two tiles; made by `endless_dapple`."""
+class EndlessDappledTiling:
+    """A dappled tiling of the plane with two tiles; made by `endless_dappled_tiling`."""
 
     def __init__(self, conditions: Conditions, start: Start, seed: int) -> None:
         self.conditions = conditions
@@ -76,9 +78,9 @@ class EndlessDapple:
         return as_cells("start", given, 2).astype(np.uint8)
 
 
-def endless_dapple(
+def endless_dappled_tiling(
     limits: Mapping[str, Most] | Conditions, *, start: Start = 0.5, seed: int = 0
-) -> EndlessDapple:
+) -> EndlessDappledTiling:
     """A dappled tiling of the endless plane whose cells depend on their place and the seed only.
 
     The plane is cut into blocks of 256 x 256 cells. The first two rows and columns of each alternate, as in
@@ -114,4 +116,4 @@ def endless_dapple(
         )
     if not callable(start):
         check_real("start", start, 0, 1)
-    return EndlessDapple(conditions, start, check_seed(seed))
+    return EndlessDappledTiling(conditions, start, check_seed(seed))

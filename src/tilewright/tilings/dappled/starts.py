@@ -5,7 +5,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, check_int, check_real
+from tilewright.checks import check_int, check_real
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.hashes import MixerHash
 

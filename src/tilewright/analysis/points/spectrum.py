@@ -1,0 +1,358 @@
+"""Power spectra of point sets by Bartlett's averaged periodograms (Lagae 2007, section 6.2.2)."""
+
+import os
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cached_property, partial
+from math import ceil, log10, nan, pi, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.analysis.points.checks import check_set, check_sets
+from tilewright.checks import check_int
+from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.samplers.box import Box
+from tilewright.samplers.point_set import PointSet
+from tilewright.samplers.radius import max_radius
+
+LARGEST_SIZE = 8192
+_TOLERANCE = 1e-9
+_ZERO_POWER = 1e-10
+"""Below this, power is what rounding leaves of nothing."""
+_MEMORY = 2**31
+"""Bytes that the transforms under way at once may take, about."""
+
+
+def spectrum_size(count: int) -> int:
+    """Width of the periodogram of ``count`` points: 2 / (0.75 r_max), up to the next power of two.
+
+    Twice the principal frequency of a Poisson disk set of relative radius 0.75 to either side: 634, so 1024
+    for 16,384 points of the unit square. Eq. 6.6 as printed, 1 / (0.75 r_max), is the half width.
+    """
+    exact = 2 / (0.75 * max_radius(check_int("count", count, 1, 2**31 - 1), Box()))
+    return 1 << (ceil(exact) - 1).bit_length()
+
+
+def periodogram(points: PointSet, size: int | None = None) -> NDArray[np.float64]:
+    """|sum over the points x of exp(-2 pi i f . x)|^2 / N (eq. 6.1, times N).
+
+    White noise has the mean power 1, and frequency 0 the power N. The frequencies are whole numbers of
+    periods across the box, which is exact on a torus. On a plain box they give an estimate: sparse or
+    crowded borders show as a cross along the axes.
+
+    Parameters
+    ----------
+    points : PointSet
+        In a plane.
+    size : int, optional
+        Samples along a side of a square box, even, 8 to 8192; `spectrum_size` of the points by default.
+        8192 takes about 3 GB.
+        A box of another shape keeps frequencies up to size / 2 periods in the square root of its area, so
+        that it has about size h / sqrt(w h) rows and size w / sqrt(w h) columns.
+
+    Returns
+    -------
+    float64 array, shape (rows, columns)
+        Frequency (0, 0) is at [rows // 2, columns // 2], y first; the first row and column have the lowest.
+    """
+    given = check_set(points)
+    shape = _shape(given.box, _check_size(size, len(given)))
+    return _unfold(_half_periodogram(shape, given))
+
+
+@dataclass(frozen=True, eq=False)
+class Spectrum:
+    """The estimated power spectrum of a method of making points.
+
+    Frequencies are in periods in the square root of the box's area, so whole numbers for the unit square.
+
+    Attributes
+    ----------
+    sets : tuple of PointSet
+        The K sets whose periodograms were averaged.
+    power : float64 array, shape (rows, columns)
+        Mean periodogram, as in `periodogram`, but 0 at frequency 0.
+    radial : float64 array, shape (size // 2,)
+        Mean power in the ring of width 1 around each whole frequency (eq. 6.3); 0 at frequency 0.
+    anisotropy : float64 array, shape (size // 2,)
+        Variance over squared mean in each ring, in dB (eq. 6.4); NaN where a ring has fewer than two samples
+        or no power.
+    samples : int64 array, shape (size // 2,)
+        How many samples each ring has.
+    """
+
+    sets: tuple[PointSet, ...]
+    power: NDArray[np.float64]
+    radial: NDArray[np.float64]
+    anisotropy: NDArray[np.float64]
+    samples: NDArray[np.int64]
+
+    @property
+    def count(self) -> float:
+        """Mean number of points of a set."""
+        return float(np.mean([len(s) for s in self.sets]))
+
+    @property
+    def reference(self) -> float:
+        """Anisotropy of a radially symmetric spectrum estimated from K sets, -10 log10 K dB (eq. 6.2)."""
+        return 10 * log10(1 / len(self.sets))
+
+    @property
+    def steps(self) -> tuple[float, float]:
+        """Frequency from one row, and from one column, to the next; (1, 1) for squares."""
+        return _steps(self.sets[0].box)
+
+    @property
+    def effective_nyquist(self) -> float:
+        """Of Heck, Schloemer & Deussen 2013, in units of sqrt(N) / 2, the square grid's Nyquist frequency.
+
+        Half the largest frequency within which the mean power is below 0.1, where the spectrum first rises
+        (to a mean of 0.5, at sqrt(N) / 2 or above): 1 for the square grid, 1.075 for the hexagonal one,
+        0.59 for the highest step a spectrum can have, 0 for white noise. NaN if the spectrum ends before it
+        rises. The threshold and the units are those of the authors' program psa.
+        """
+        return effective_nyquist(self.radial, self.samples, self.count)
+
+    @cached_property
+    def oscillation(self) -> float:
+        """Omega of Heck, Schloemer & Deussen 2013: 10 times the RMS of the radial power less 1.
+
+        From the first frequency f with a radial power of 0.98 up to f + 5 sqrt(N), each weighted by its
+        ring's samples, as the authors' program psa does it; psa takes the radial power from distances, this
+        from periodograms, 8192 wide at most. Taking so far a spectrum costs a few times what
+        `power_spectrum` does. The noise of the estimate is in it: white noise of 16,384 points gives about
+        0.1 for K = 10, 0.3 for K = 1.
+        """
+        start = oscillation_start(self.radial)
+        last = start + 5 * sqrt(self.count)
+        wide = min(2 * ceil(last + 1), LARGEST_SIZE)
+        radial, samples = self.radial, self.samples
+        if wide // 2 > len(radial):
+            power = _unfold(_mean_half_periodogram(self.sets, wide, None))
+            radial, _, samples = _average_annuli(power, self.steps, wide // 2)
+        return oscillation(radial, samples, start, last)
+
+    @property
+    def figures(self) -> dict[str, float]:
+        """What there is to compare.
+
+        radial_peak, largest_bin : the highest mean of a ring, and the highest single frequency; white noise
+        has 1 in the mean. anisotropy_max, anisotropy_p99, anisotropy_median : over the rings, in dB; the
+        lowest rings have too few samples to say anything and are left out, see `ANISOTROPY_FROM`.
+        effective_nyquist, oscillation : see there.
+        """
+        rings = self.anisotropy[ANISOTROPY_FROM:]
+        known = rings[~np.isnan(rings)]
+        spread = np.percentile(known, (100, 99, 50)) if len(known) else (nan, nan, nan)
+        return {
+            "radial_peak": float(np.nanmax(self.radial)),
+            "largest_bin": float(self.power.max()),
+            "anisotropy_max": float(spread[0]),
+            "anisotropy_p99": float(spread[1]),
+            "anisotropy_median": float(spread[2]),
+            "effective_nyquist": self.effective_nyquist,
+            "oscillation": self.oscillation,
+        }
+
+
+ANISOTROPY_FROM = 16
+"""First ring that counts in the figures of the anisotropy: about 100 samples, half of them mirror images."""
+
+
+def power_spectrum(
+    sets: PointSet | Sequence[PointSet], size: int | None = None, *, progress: Progress | None = None
+) -> Spectrum:
+    """Average the periodograms of K sets made by one method (Bartlett 1955; Lagae 2007, eq. 6.2 to 6.5).
+
+    The result has the same bytes whatever the number of threads: each periodogram is made by one of them,
+    and they are added in order.
+
+    Parameters
+    ----------
+    sets : PointSet or list of PointSet
+        Of one box; 10 sets of about 16,384 points in the thesis. Their numbers of points may differ.
+    size : int, optional
+        As in `periodogram`; of the largest set by default.
+    progress : callable, optional
+
+    Raises
+    ------
+    TilewrightValueError
+        Sets of different boxes, too few points, points outside the box or a size that is not allowed.
+    """
+    given = check_sets(sets)
+    width = _check_size(size, max(len(s) for s in given))
+    power = _unfold(_mean_half_periodogram(given, width, progress))
+    power[power.shape[0] // 2, power.shape[1] // 2] = 0
+    radial, variances, samples = _average_annuli(power, _steps(given[0].box), width // 2)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        anisotropy = 10 * np.log10(variances / radial**2)
+    anisotropy[~(radial > _ZERO_POWER)] = nan
+    return Spectrum(given, power, radial, anisotropy, samples)
+
+
+def effective_nyquist(radial: NDArray[np.float64], samples: NDArray[np.int64], count: float) -> float:
+    """See `Spectrum.effective_nyquist`; of any radial power, with the samples of each ring."""
+    power = np.cumsum(np.where(samples > 0, radial, 0)[1:] * samples[1:])
+    within = power / np.maximum(np.cumsum(samples[1:]), 1)
+    # Ring k ends at frequency k + 1/2.
+    edges = np.arange(1, len(radial)) + 0.5
+    risen = np.flatnonzero((within > 0.5) & (edges >= sqrt(count) / 2))
+    if not len(risen):
+        return nan
+    empty = np.flatnonzero(within[: risen[0]] < 0.1)
+    return float(edges[empty[-1]] / sqrt(count)) if len(empty) else 0.0
+
+
+def oscillation_start(radial: NDArray[np.float64]) -> int:
+    """The first frequency with a radial power of 0.98, or that of the highest power."""
+    full = np.flatnonzero(radial >= 0.98)
+    return int(full[0]) if len(full) else int(np.nanargmax(radial))
+
+
+def oscillation(radial: NDArray[np.float64], samples: NDArray[np.int64], start: int, last: float) -> float:
+    """See `Spectrum.oscillation`; of any radial power, from frequency ``start`` up to ``last``."""
+    rings = slice(start, int(last) + 1)
+    known = samples[rings] > 0
+    off = (radial[rings][known] - 1) ** 2
+    return 10 * sqrt(float(np.average(off, weights=samples[rings][known])))
+
+
+@dataclass(frozen=True)
+class LatticeSpikes:
+    """The largest powers at the frequencies of a lattice of tiles, and elsewhere.
+
+    Attributes
+    ----------
+    on, off : float
+        The largest power at a whole multiple of the lattice's frequencies, and at any other frequency.
+    at : tuple of int
+        Where the first is: periods across the box in x and in y.
+    """
+
+    on: float
+    off: float
+    at: tuple[int, int]
+
+
+def lattice_spikes(spectrum: Spectrum, tiles_along: int | tuple[int, int]) -> LatticeSpikes:
+    """Tell the spikes that come from a lattice of tiles from the rest of a spectrum.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+    tiles_along : int or (int, int)
+        How many tiles the box has along x and along y. T tiles of n points each have, besides their noise,
+        the power T |m(k)|^2 / n at the multiple k of the lattice's frequency, with m the mean over the tiles
+        of the sum of exp(-2 pi i k . x) over the points of a tile, x in tiles.
+    """
+    if not isinstance(spectrum, Spectrum):
+        raise TilewrightTypeError(
+            f"spectrum must be a Spectrum, not {type(spectrum).__name__}; power_spectrum makes one"
+        )
+    pair = tiles_along if isinstance(tiles_along, (tuple, list)) else (tiles_along, tiles_along)
+    if len(pair) != 2:
+        raise TilewrightTypeError(f"tiles_along must be an integer or two, not {tiles_along!r}")
+    rows, columns = spectrum.power.shape
+    along_x, along_y = (check_int("tiles_along", n, 1, LARGEST_SIZE) for n in pair)
+    if along_x > columns // 2 and along_y > rows // 2:
+        raise TilewrightValueError(
+            f"tiles_along is {tiles_along}; the spectrum ends at {columns // 2} and {rows // 2} periods, "
+            "before the lattice's first frequency; give power_spectrum a larger size"
+        )
+    ky, kx = np.arange(rows) - rows // 2, np.arange(columns) - columns // 2
+    on = (ky % along_y == 0)[:, None] & (kx % along_x == 0)
+    lattice = np.where(on, spectrum.power, -1)
+    at = np.unravel_index(int(np.argmax(lattice)), lattice.shape)
+    rest = float(spectrum.power[~on].max()) if not on.all() else 0.0
+    return LatticeSpikes(float(lattice[at]), rest, (int(kx[at[1]]), int(ky[at[0]])))
+
+
+def _check_size(size: int | None, count: int) -> int:
+    if size is None:
+        width = spectrum_size(count)
+        if width <= LARGEST_SIZE:
+            return width
+        raise TilewrightValueError(
+            f"size would be {width} for {count} points; allowed are up to {LARGEST_SIZE}; give a size"
+        )
+    width = check_int("size", size, 8, LARGEST_SIZE)
+    if width % 2:
+        raise TilewrightValueError(f"size is {width}; it must be even")
+    return width
+
+
+def _steps(box: Box) -> tuple[float, float]:
+    unit = sqrt(box.volume)
+    return unit / box.extent[1], unit / box.extent[0]
+
+
+def _shape(box: Box, size: int) -> tuple[int, int]:
+    """Rows and columns, both even, that reach frequency size / 2."""
+    rows, columns = (2 * max(1, round(size / step / 2)) for step in _steps(box))
+    return rows, columns
+
+
+def _half_periodogram(shape: tuple[int, int], points: PointSet) -> NDArray[np.float64]:
+    """The half of a periodogram that holds all of it, since points have no imaginary parts.
+
+    Rows have the frequencies -rows / 2 to 0, columns -columns / 2 to columns / 2, both ends included. One
+    thread, so that sums have one order; a type-1 nonuniform FFT (Barnett, Magland & af Klinteberg 2019).
+    """
+    import finufft
+
+    rows, columns = shape[0] // 2 + 1, shape[1] + 1
+    x, y = np.ascontiguousarray((points.points * (2 * pi / np.array(points.box.extent))).T)
+    # The transform has its frequency 0 in the middle row; turning the points puts it in the last one.
+    turned = np.exp(1j * ((rows - 1) // 2) * y)
+    transform = finufft.nufft2d1(
+        y, x, turned, (rows, columns), eps=_TOLERANCE, isign=-1, nthreads=1, upsampfac=1.25
+    )
+    power: NDArray[np.float64] = (transform.real**2 + transform.imag**2) / len(points)
+    return power
+
+
+def _half_periodograms(sets: tuple[PointSet, ...], shape: tuple[int, int]) -> Iterator[NDArray[np.float64]]:
+    """The half periodogram of each set in turn, several at a time."""
+    transform = partial(_half_periodogram, shape)
+    bytes_each = 40 * shape[0] * shape[1]
+    workers = max(1, min(os.cpu_count() or 1, len(sets), _MEMORY // bytes_each))
+    with ThreadPoolExecutor(workers) as pool:
+        for first in range(0, len(sets), workers):
+            yield from pool.map(transform, sets[first : first + workers])
+
+
+def _mean_half_periodogram(
+    sets: tuple[PointSet, ...], size: int, progress: Progress | None
+) -> NDArray[np.float64]:
+    shape = _shape(sets[0].box, size)
+    total = np.zeros((shape[0] // 2 + 1, shape[1] + 1))
+    if progress is not None:
+        progress(0, len(sets), "periodograms")
+    for done, power in enumerate(_half_periodograms(sets, shape), 1):
+        total += power
+        if progress is not None:
+            progress(done, len(sets), "periodograms")
+    return total / len(sets)
+
+
+def _unfold(half: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The whole plane from its half, P(-f) = P(f), without the highest row and column."""
+    middle, columns = half.shape[0] - 1, half.shape[1] - 1
+    whole = np.empty((2 * middle, columns))
+    whole[: middle + 1] = half[:, :-1]
+    whole[middle + 1 :] = half[middle - 1 : 0 : -1, :0:-1]
+    return whole
+
+
+def _average_annuli(
+    power: NDArray[np.float64], steps: tuple[float, float], rings: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
+    """Means, variances and numbers of samples of the rings around whole frequencies."""
+    from tilewright.kernels.spectra import average_annuli
+
+    means, variances, samples = np.empty(rings), np.empty(rings), np.empty(rings, np.int64)
+    average_annuli(power, *steps, samples, means, variances)
+    return means, variances, samples

@@ -1,0 +1,1 @@
+"""Figures about textures: seams, repetition, structure."""

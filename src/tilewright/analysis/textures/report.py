@@ -1,0 +1,176 @@
+"""All figures of a tile set, and a sheet of pictures to judge it by eye."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.analysis.sheets import check_sheet
+from tilewright.analysis.textures.repetition import lattice_share, same_place_share, tile_lag_autocorrelation
+from tilewright.analysis.textures.sample import Sample, lay_sample
+from tilewright.analysis.textures.seams import (
+    cut_line_ratio,
+    edge_cut_share,
+    tone_step_ratio,
+    worst_tile_ratio,
+)
+from tilewright.analysis.textures.structure import seam_novelty, used_share
+from tilewright.errors import Progress, TilewrightTypeError
+from tilewright.files.atomic import whole_file
+from tilewright.seeds import check_seed
+from tilewright.signals.textures import TextureTiles
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+# Figure -> (largest value that is good, what it says)
+MEANING = {
+    "cut_line_ratio": (1.1, "color step across cuts over that elsewhere"),
+    "worst_tile_ratio": (1.3, "the same for the worst tile"),
+    "edge_cut_share": (0.03, "pixel pairs across tile borders that do not continue"),
+    "repetition": (0.17, "autocorrelation at tile lags, less the photograph's own"),
+    "repetition_raw": (None, "autocorrelation at tile lags"),
+    "photograph_own": (None, "the photograph's autocorrelation at those lags"),
+    "same_place_share": (0.17, "equal origins at equal places of two cells"),
+    "lattice_share": (0.15, "low-passed variance that is the same in every tile"),
+    "tone_step_ratio": (1.3, "tone of tile middles against borders, over the photograph's"),
+    "seam_novelty": (1.2, "distance of patches on cuts to the photograph, over its own"),
+    "seam_novelty_p95": (2.0, "its 95th percentile"),
+    "used_share": (None, "share of the photograph that the set shows"),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Report:
+    """What was measured.
+
+    Attributes
+    ----------
+    figures : dict of str to float
+        See `MEANING` for each.
+    sample : Sample
+        The piece of the plane that was measured.
+    """
+
+    figures: dict[str, float]
+    sample: Sample
+
+    def __str__(self) -> str:
+        lines = []
+        for name, value in self.figures.items():
+            most, says = MEANING[name]
+            mark = "" if most is None else "  good" if value <= most else f"  over {most:g}"
+            lines.append(f"{name:<18} {value:6.3f}{mark:<11} {says}")
+        return "\n".join(lines)
+
+    def sheet(self) -> "Figure":
+        """Pictures beside the figures: photograph, tiles, plane near and far, cut lines, repetition."""
+        from matplotlib.figure import Figure
+
+        sample, n = self.sample, self.sample.size
+        picture = _shown(sample.pixels, sample.material)
+        photo = _shown(sample.material.sources[0][sample.material.main].astype(np.float32), sample.material)
+        figure = Figure(figsize=(15, 10), layout="constrained")
+        axes = figure.subplots(2, 3).ravel()
+        near = picture[: 4 * n, : 4 * n]
+        lines = near.copy()
+        east, south = sample.cuts
+        marked = np.zeros(picture.shape[:2], bool)
+        marked[:, :-1] |= east
+        marked[:-1] |= south
+        lines[marked[: 4 * n, : 4 * n]] = (1, 0, 0.4)
+        step = max(1, picture.shape[0] // 1024)
+        contents = (
+            ("photograph", photo),
+            ("the endless plane, 4 x 4 tiles", near),
+            ("its cut lines", lines),
+            (f"from afar, {sample.cells.shape[0]} x {sample.cells.shape[1]} tiles", _reduce(picture, step)),
+            ("the tiles", _tiles(sample)),
+        )
+        for axis, (title, image) in zip(axes, contents, strict=False):
+            axis.imshow(image, interpolation="antialiased")
+            axis.set_title(title, fontsize=10)
+            axis.set_axis_off()
+        axes[-1].set_axis_off()
+        axes[-1].text(0, 1, str(self), family="monospace", fontsize=7, va="top", transform=axes[-1].transAxes)
+        return figure
+
+    def save_sheet(self, path: str | Path) -> None:
+        """Write the sheet as a picture: PNG, JPEG, SVG or PDF."""
+        path = check_sheet(path)
+        with whole_file(path) as unfinished:
+            self.sheet().savefig(unfinished, dpi=110, format=path.suffix[1:].lower())
+
+
+def analyze_texture(
+    material: TextureTiles, *, cells: int = 12, seed: int = 0, progress: Progress | None = None
+) -> Report:
+    """Measure seams, repetition and structure of texture tiles on a random piece of the plane.
+
+    Parameters
+    ----------
+    material : TextureTiles
+    cells : int
+        The piece has this many cells on a side, 4 to 64.
+    seed : int
+        Seed of the tiling and of the patches that are compared.
+    """
+    if not isinstance(material, TextureTiles):
+        raise TilewrightTypeError(
+            f"material must be TextureTiles, PointTiles or a PointSet, not {type(material).__name__}"
+        )
+    seed = check_seed(seed)
+    sample = lay_sample(material, cells, seed)
+    figures: dict[str, float] = {}
+
+    def step(done: int, what: str) -> None:
+        if progress is not None:
+            progress(done, 4, what)
+
+    step(0, "seams")
+    figures["cut_line_ratio"] = cut_line_ratio(sample)
+    figures["worst_tile_ratio"] = worst_tile_ratio(sample)
+    figures["edge_cut_share"] = edge_cut_share(sample)
+    step(1, "repetition")
+    raw, own = tile_lag_autocorrelation(sample)
+    figures |= {"repetition": raw - max(0.0, own), "repetition_raw": raw, "photograph_own": own}
+    figures["same_place_share"] = same_place_share(sample)
+    figures["lattice_share"] = lattice_share(sample)
+    step(2, "tone")
+    figures["tone_step_ratio"] = tone_step_ratio(sample)
+    step(3, "structure")
+    figures["seam_novelty"], figures["seam_novelty_p95"] = seam_novelty(sample, seed=seed)
+    figures["used_share"] = used_share(sample)
+    step(4, "done")
+    return Report({name: round(float(value), 4) for name, value in figures.items()}, sample)
+
+
+def _shown(pixels: NDArray[np.float32], material: TextureTiles) -> NDArray[np.float32]:
+    """Pixels as RGB, 0 to 1; float maps are scaled to what they hold."""
+    kind = material.pixels.dtype
+    white = np.iinfo(kind).max if kind.kind == "u" else max(float(material.pixels.max()), 1e-9)
+    color = pixels[..., :3] if pixels.shape[2] >= 3 else np.repeat(pixels[..., :1], 3, axis=2)
+    return np.clip(color / white, 0, 1)
+
+
+def _reduce(picture: NDArray[np.float32], step: int) -> NDArray[np.float32]:
+    h, w = (s // step * step for s in picture.shape[:2])
+    return picture[:h, :w].reshape(h // step, step, w // step, step, 3).mean(axis=(1, 3))
+
+
+def _tiles(sample: Sample) -> NDArray[np.float32]:
+    """The first tiles of the set, with gaps between them."""
+    tiles = _shown(
+        sample.material.pixels[:81].astype(np.float32).reshape(-1, *sample.material.pixels.shape[2:]),
+        sample.material,
+    )
+    n, gap = sample.size, max(2, sample.size // 16)
+    count = len(tiles) // n
+    side = int(np.ceil(np.sqrt(count)))
+    sheet = np.ones((side * (n + gap), side * (n + gap), 3), np.float32)
+    for t in range(count):
+        y, x = (t // side) * (n + gap), (t % side) * (n + gap)
+        sheet[y : y + n, x : x + n] = tiles[t * n : (t + 1) * n]
+    return sheet

@@ -1,0 +1,65 @@
+"""A piece of the endless plane to measure: which tile, which origin and which color at each pixel."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.checks import check_int
+from tilewright.signals.textures import TextureTiles
+from tilewright.tilings import stochastic
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """A random tiling of n x n cells with its pixels; nothing is blended.
+
+    Attributes
+    ----------
+    material : TextureTiles
+    cells : int array, shape (n, n)
+        Tile of each cell.
+    """
+
+    material: TextureTiles
+    cells: NDArray[np.int32]
+
+    @property
+    def size(self) -> int:
+        """Pixels along a tile."""
+        return self.material.tile_size
+
+    def assemble(self, tiles: NDArray[np.generic]) -> NDArray[np.generic]:
+        """Per-tile pictures, shape (T, size, size, k), laid side by side."""
+        rows, columns = self.cells.shape
+        picture = tiles[self.cells].swapaxes(1, 2)
+        return picture.reshape(rows * self.size, columns * self.size, -1)
+
+    @cached_property
+    def pixels(self) -> NDArray[np.float32]:
+        """The main map, shape (n size, n size, channels)."""
+        return self.assemble(self.material.pixels).astype(np.float32)
+
+    @cached_property
+    def origins(self) -> NDArray[np.int32]:
+        """(source, y, x) of each pixel."""
+        return self.assemble(self.material.origins).astype(np.int32)
+
+    @cached_property
+    def cuts(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Pixel pairs whose origins do not continue each other: to the east (h, w - 1), to the south."""
+        east = (np.diff(self.origins, axis=1) != (0, 0, 1)).any(axis=2)
+        south = (np.diff(self.origins, axis=0) != (0, 1, 0)).any(axis=2)
+        return east, south
+
+    @cached_property
+    def gray(self) -> NDArray[np.float32]:
+        """Mean of the channels."""
+        return self.pixels.mean(axis=2)
+
+
+def lay_sample(material: TextureTiles, cells: int = 12, seed: int = 0) -> Sample:
+    """A random piece of n x n cells, laid directly where the set allows it and by scanline otherwise."""
+    n = check_int("cells", cells, 4, 64)
+    return Sample(material, stochastic(material.tiles, n, n, seed).indices(0, 0, n, n))

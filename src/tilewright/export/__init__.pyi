@@ -1,0 +1,21 @@
+from .array import (
+    save_array as save_array,
+)
+from .atlas import (
+    make_atlas as make_atlas,
+)
+from .atlas import (
+    save_atlas as save_atlas,
+)
+from .engines import (
+    TARGETS as TARGETS,
+)
+from .engines import (
+    save_for_engine as save_for_engine,
+)
+from .ktx2 import (
+    write_ktx2 as write_ktx2,
+)
+from .viewer import (
+    save_viewer as save_viewer,
+)

@@ -1,0 +1,3 @@
+from .page import (
+    save_viewer as save_viewer,
+)

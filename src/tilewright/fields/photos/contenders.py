@@ -1,0 +1,139 @@
+"""One photograph by five methods: repeated, blended in two ways, on Wang tiles and on corner tiles."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.fields.photos.methods import HexField, NoiseField, PhotoField, RepeatField
+from tilewright.fields.textures import TextureField
+from tilewright.signals.textures import TextureTiles
+from tilewright.tiles import corner_tiles, wang_tiles
+from tilewright.tilings import stochastic
+
+_CELLS = 256
+"""Side of the patch that sets without a direct tiling are laid on."""
+
+
+@dataclass(frozen=True, eq=False)
+class Contender:
+    """A method with its plane.
+
+    Attributes
+    ----------
+    name : str
+        ``"repeat"``, ``"hex"``, ``"noise"``, ``"wang"`` or ``"corner"``.
+    label : str
+        What a person calls it.
+    field : TextureField or PhotoField
+    lattice : array, shape (2, 2)
+        Two vectors (x, y), in pixels, of the lattice that the method works on.
+    fetches, table_fetches : int
+        Texture fetches a sample takes, and fetches from a table that fits in a cache.
+    texels : int
+        Of the finest level of what it fetches from, the table among them.
+    """
+
+    name: str
+    label: str
+    field: TextureField | PhotoField
+    lattice: NDArray[np.int64]
+    fetches: int
+    table_fetches: int
+    texels: int
+
+
+@dataclass(frozen=True, eq=False)
+class SideBySide:
+    """The main map of a material's photograph by five methods.
+
+    Attributes
+    ----------
+    material : TextureTiles
+    seed : int
+        Of all tilings and blends.
+    contenders : dict of str to Contender
+        In the order they are shown.
+    figures : dict of str to dict of str to float
+        What `tilewright.compare_textures` measured of each.
+    """
+
+    material: TextureTiles
+    seed: int
+    contenders: dict[str, Contender]
+    figures: dict[str, dict[str, float]] = field(default_factory=dict)
+
+    @property
+    def photo(self) -> NDArray[Any]:
+        """The main map of the photograph, shape (h, w, channels)."""
+        return self.material.sources[0][self.material.main]
+
+
+def side_by_side(material: TextureTiles, *, seed: int = 0, progress: Progress | None = None) -> SideBySide:
+    """Set five methods on one photograph beside each other.
+
+    Parameters
+    ----------
+    material : TextureTiles
+        Made from one photograph. The other of Wang and corner tiles is made from the same exemplar, with the
+        same tile size, seed and number of colors.
+    seed : int
+        0 to 2^64 - 1.
+    progress : callable, optional
+        ``progress(done, total, what)`` while the other set is made.
+
+    Raises
+    ------
+    TilewrightValueError
+        The material was made from several photographs.
+    """
+    if not isinstance(material, TextureTiles):
+        raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+    if len(material.sources) != 1:
+        raise TilewrightValueError(
+            f"material was made from {len(material.sources)} photographs; a comparison takes one"
+        )
+    other = _other_kind(material, progress)
+    wang, corner = (material, other) if "N" in material.tiles.shape.slots else (other, material)
+    photo, kind = material.sources[0][material.main], material.kinds[material.main]
+    noise = NoiseField(photo, kind, seed=seed)
+    table = noise.gaussian.table
+    contenders = (
+        _photographic("repeat", "Plain repeat", RepeatField(photo, kind), 1),
+        _photographic("hex", "Hex-tiling", HexField(photo, kind, seed=seed), 3),
+        _photographic("noise", "By-example noise", noise, 3, table.shape[2], table[..., 0].size),
+        _tiled("wang", "Wang tiles", wang, seed),
+        _tiled("corner", "Corner tiles", corner, seed),
+    )
+    return SideBySide(material, seed, {one.name: one for one in contenders})
+
+
+def _other_kind(material: TextureTiles, progress: Progress | None) -> TextureTiles:
+    """Corner tiles for edge colors, Wang tiles for corner colors; of equal size, seed and colors."""
+    from tilewright.signals.textures import Exemplar, synthesize
+
+    shape, colors = material.tiles.shape, max(material.tiles.colors)
+    return synthesize(
+        Exemplar(material.sources, material.masks or None, material.recipe.get("weights"), material.kinds),
+        corner_tiles(colors) if "N" in shape.slots else wang_tiles(colors),
+        tile_size=material.tile_size,
+        seed=material.recipe.get("seed", 0),
+        progress=progress,
+    )
+
+
+def _photographic(
+    name: str, label: str, plane: PhotoField, fetches: int, table_fetches: int = 0, table: int = 0
+) -> Contender:
+    texels = plane.photo.shape[0] * plane.photo.shape[1] + table
+    return Contender(name, label, plane, plane.lattice, fetches, table_fetches, texels)
+
+
+def _tiled(name: str, label: str, material: TextureTiles, seed: int) -> Contender:
+    """Tiles; those of incomplete sets are looked up."""
+    n, tiles = material.tile_size, material.tiles
+    plane = TextureField(material, stochastic(tiles, _CELLS, _CELLS, seed))
+    lookups = 0 if tiles.is_complete else 1
+    return Contender(name, label, plane, np.eye(2, dtype=np.int64) * n, 1, lookups, len(tiles) * n * n)

@@ -1,0 +1,246 @@
+"""The plane from a photograph without tiles: repeated, or blended from patches on a triangle grid.
+
+These are the methods that tiles are compared with; `tilewright.compare_textures` measures them.
+"""
+
+from abc import ABC, abstractmethod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.checks import check_int
+from tilewright.fields.photos.gaussian import gaussianize
+from tilewright.signals.textures.exemplar import check_map
+from tilewright.signals.textures.kinds import from_values, to_values
+from tilewright.tilings import MixerHash
+
+PATCH_STREAMS = (10, 11)
+"""Of the lattice hash: column and row of the photograph where a vertex's patch lies."""
+LUMINANCE = np.array((0.299, 0.587, 0.114), np.float32)
+CONTRAST, EXPONENT = 0.6, 7
+"""How much a patch's brightness and its place count in hex-tiling (Mikkelsen 2022)."""
+_REACH = 2**62
+_BLOCK = 2**18
+
+
+class PhotoField(ABC):
+    """A plane made from one photograph.
+
+    Parameters
+    ----------
+    photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
+    kind : str
+        What it holds: see `tilewright.signals.textures.kinds.KINDS`.
+
+    Attributes
+    ----------
+    lattice : array, shape (2, 2)
+        Two vectors (x, y), in pixels, of the lattice that the method works on.
+    """
+
+    lattice: NDArray[np.int64]
+
+    def __init__(self, photo: NDArray[Any], kind: str = "color") -> None:
+        self.photo = check_map("photo", photo)
+        self.kind = kind
+
+    def render(self, x: int = 0, y: int = 0, width: int = 1024, height: int = 1024) -> NDArray[Any]:
+        """Pixels of a window, equal to the same pixels of any other window.
+
+        Parameters
+        ----------
+        x, y : int
+            North-west pixel, within +-2^62.
+        width, height : int
+            Pixels.
+
+        Returns
+        -------
+        array, shape (height, width, channels), of the photograph's type
+        """
+        width, height = (check_int(n, v, 1, 2**31 - 1) for n, v in (("width", width), ("height", height)))
+        x, y = (check_int(n, v, -_REACH, _REACH) for n, v in (("x", x), ("y", y)))
+        out = np.empty((height, width, self.photo.shape[2]), self.photo.dtype)
+        rows = max(1, _BLOCK // width)
+        for top in range(0, height, rows):
+            out[top : top + rows] = self._fill(x, y + top, width, min(rows, height - top))
+        return out
+
+    @abstractmethod
+    def _fill(self, x: int, y: int, width: int, height: int) -> NDArray[Any]:
+        """Pixels of a window of a size that fits in memory."""
+
+
+class RepeatField(PhotoField):
+    """The photograph laid side by side, as it is."""
+
+    def __init__(self, photo: NDArray[Any], kind: str = "color") -> None:
+        super().__init__(photo, kind)
+        h, w = self.photo.shape[:2]
+        self.lattice = np.array([[w, 0], [0, h]])
+
+    def _fill(self, x: int, y: int, width: int, height: int) -> NDArray[Any]:
+        h, w = self.photo.shape[:2]
+        return self.photo[(np.arange(height) + y % h) % h][:, (np.arange(width) + x % w) % w]
+
+
+class BlendField(PhotoField):
+    """Three patches of the photograph blended at each pixel, one for each vertex of a triangle.
+
+    Heitz & Neyret 2018 ("High-Performance By-Example Noise using a Histogram-Preserving Blending Operator",
+    HPG), section 3: every vertex of a triangle grid has a random patch of the photograph, a hexagon as wide
+    as two edges of the grid, and patches fade from their vertex to the edge of the hexagon. An edge of the
+    grid is 1 / (2 sqrt 3) of the photograph's shorter side.
+
+    Departs from it in two ways. Both papers take a seamless photograph; here any will do, as patches reach
+    over its border only where they have faded to half, and find it mirrored there. The grid is rounded to
+    whole pixels, so that it is exact anywhere on the plane.
+
+    Parameters
+    ----------
+    photo, kind : as for `PhotoField`
+    seed : int
+        0 to 2^64 - 1; the patch of a vertex depends on the vertex and the seed only.
+
+    Attributes
+    ----------
+    edge, row : int
+        Pixels from vertex to vertex of a row, and from row to row.
+    range : ((int, int), (int, int))
+        The first place, and how many, that the middle of a patch may have in x and in y.
+    """
+
+    def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
+        super().__init__(photo, kind)
+        self.hash = MixerHash(seed)
+        self.edge, self.row = triangle_grid(self.photo.shape[:2])
+        self.lattice = np.array([[self.edge, 0], [self.edge // 2, self.row]])
+        self.range = patch_range(self.photo.shape[:2])
+
+    def _fill(self, x: int, y: int, width: int, height: int) -> NDArray[Any]:
+        weights, rows, columns = self._patches(x, y, width, height)
+        return self._blend(weights, rows, columns)
+
+    @abstractmethod
+    def _blend(
+        self, weights: NDArray[np.float64], rows: NDArray[np.int64], columns: NDArray[np.int64]
+    ) -> NDArray[Any]:
+        """Pixels from three places of the photograph each; arrays of shape (3, height, width)."""
+
+    def _patches(
+        self, x: int, y: int, width: int, height: int
+    ) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64]]:
+        """Barycentric weight and photograph pixel of each of three patches."""
+        a, h = self.edge, self.row
+        # Whole rows and columns of the grid are taken off first, so that no digit is lost far out.
+        j0, top = divmod(y, h)
+        i0, left = divmod(x - j0 * (a // 2), a)
+        py, px = np.meshgrid(top + np.arange(height), left + np.arange(width), indexing="ij")
+        v = (py + 0.5) / h
+        u = (px + 0.5) / a - v / 2
+        i, j = np.floor(u).astype(np.int64), np.floor(v).astype(np.int64)
+        u, v = u - i, v - j
+        upper = u + v > 1
+        one = upper.astype(np.int64)
+        weights = np.where(upper, (u + v - 1, 1 - v, 1 - u), (1 - u - v, u, v))
+        vertices = ((i + one, j + one), (i + 1, j), (i, j + 1))
+        rows, columns = np.empty_like(weights, np.int64), np.empty_like(weights, np.int64)
+        patches = self._centers(_wrapped(i0), _wrapped(j0), i.min(), i.max() + 2, j.max() + 2)
+        for k, (vi, vj) in enumerate(vertices):
+            patch_x, patch_y = patches[:, vj, vi - i.min()]
+            columns[k] = _mirrored(px - (vi * a + vj * (a // 2)) + patch_x, self.photo.shape[1])
+            rows[k] = _mirrored(py - vj * h + patch_y, self.photo.shape[0])
+        return weights, rows, columns
+
+    def _centers(self, i0: np.int64, j0: np.int64, first: int, last: int, rows: int) -> NDArray[np.int64]:
+        """Middles (x, y) of the patches of vertices (i, j), in the photograph.
+
+        Shape (2, rows, last - first), for i from first up to last and j from 0 on, counted from (i0, j0).
+        """
+        i, j = np.meshgrid(i0 + np.arange(first, last), j0 + np.arange(rows))
+        return np.stack(
+            [
+                least + (self.hash.numbers(stream, i, j) * count >> 24)
+                for (least, count), stream in zip(self.range, PATCH_STREAMS, strict=True)
+            ]
+        )
+
+
+class HexField(BlendField):
+    """Hex-tiling: patches blended sharply, the brighter one further in front.
+
+    Mikkelsen 2022 ("Practical Real-Time Hex-Tiling", JCGT 11 (2)): weights are barycentric ones to the 7th
+    power, times the patch's luminance mixed with 1 (contrast 0.6), and sum to 1. Light is blended linearly.
+    His options to turn patches and to sharpen further (gain) stay off, as photographs have a direction of
+    light. No pre-step, no table.
+    """
+
+    def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
+        super().__init__(photo, kind, seed=seed)
+        self._values = to_values(self.photo, kind)
+
+    def _blend(
+        self, weights: NDArray[np.float64], rows: NDArray[np.int64], columns: NDArray[np.int64]
+    ) -> NDArray[Any]:
+        values = self._values[rows, columns]
+        bright = values[..., :3] @ LUMINANCE if values.shape[-1] >= 3 else values[..., 0]
+        weights = (1 + CONTRAST * (bright - 1)) * weights**EXPONENT
+        weights /= weights.sum(axis=0)
+        blended = (weights[..., np.newaxis] * values).sum(axis=0)
+        return from_values(blended.astype(np.float32), self.kind, self.photo)
+
+
+class NoiseField(BlendField):
+    """By-example noise: patches blended so that the histogram of the photograph stays.
+
+    Heitz & Neyret 2018, section 4, in the variant of Deliot & Heitz 2019 (see `Gaussianized`): the
+    photograph gets Gaussian histograms once, for each axis of its encoded colors; blending divides by the
+    root of the sum of squared weights, which keeps their variance; a table leads back.
+    """
+
+    def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
+        super().__init__(photo, kind, seed=seed)
+        self._low, self._high = _bounds(self.photo)
+        self.gaussian = gaussianize((self.photo - self._low) / (self._high - self._low))
+
+    def _blend(
+        self, weights: NDArray[np.float64], rows: NDArray[np.int64], columns: NDArray[np.int64]
+    ) -> NDArray[Any]:
+        gauss = self.gaussian.pixels[rows, columns] / 255 - 0.5
+        mixed = (weights[..., np.newaxis] * gauss).sum(axis=0)
+        mixed /= np.sqrt((weights**2).sum(axis=0))[..., np.newaxis]
+        color = self._low + self.gaussian.restore(mixed + 0.5) * (self._high - self._low)
+        return (color if self.photo.dtype.kind == "f" else np.rint(color)).astype(self.photo.dtype)
+
+
+def triangle_grid(size: tuple[int, ...]) -> tuple[int, int]:
+    """Edge and row height, in pixels, of the triangle grid for a photograph (h, w); the edge is even."""
+    edge = 2 * round(min(size) / (4 * 3**0.5))
+    return edge, round(edge * 3**0.5 / 2)
+
+
+def _mirrored(index: NDArray[np.int64], size: int) -> NDArray[np.int64]:
+    index = index % (2 * size)
+    return np.where(index < size, index, 2 * size - 1 - index)
+
+
+def patch_range(size: tuple[int, ...]) -> tuple[tuple[int, int], tuple[int, int]]:
+    """First place and number of places, in x and y, of the middles of patches in a photograph (h, w)."""
+    halves = tuple(step // 2 for step in triangle_grid(size))
+    (first_x, count_x), (first_y, count_y) = (
+        (half, extent - 2 * half + 1) for half, extent in zip(halves, size[1::-1], strict=True)
+    )
+    return (first_x, count_x), (first_y, count_y)
+
+
+def _bounds(photo: NDArray[Any]) -> tuple[float, float]:
+    """What stands for 0 and 1."""
+    if photo.dtype.kind == "u":
+        return 0.0, float(np.iinfo(photo.dtype).max)
+    low, high = min(0.0, float(photo.min())), max(1.0, float(photo.max()))
+    return low, high
+
+
+def _wrapped(index: int) -> np.int64:
+    return np.uint64(index % 2**64).astype(np.int64)

@@ -1,0 +1,80 @@
+"""Fewer points, by their ranks: a given number of a window's, or a share that changes from place to place."""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.fields.points.window import PointWindow, View
+from tilewright.signals.points import PointTiles
+from tilewright.tilings import MixerHash
+
+DensityFunction = Callable[[NDArray[np.float64]], ArrayLike]
+
+_LOTS = 7
+"""Stream of the hash that picks among points of one rank."""
+
+
+def share_out(tiles: PointTiles, view: View, count: int) -> NDArray[np.int32]:
+    """How many points each cell gives, so that all together give the ``count`` of lowest rank.
+
+    Within a cell points come in the order of their ranks, so these are always its first ones.
+    """
+    cells = np.bincount(view.cells.ravel(), minlength=len(tiles.starts) - 1)
+    times = np.repeat(cells, tiles.counts)
+    order = np.argsort(tiles.ranks, kind="stable")
+    total = np.cumsum(times[order])
+    _check_enough(count, int(total[-1]) if len(total) else 0)
+    last = tiles.ranks[order[int(np.searchsorted(total, count))]]
+    row = np.repeat(np.arange(len(cells)), tiles.counts)
+    quotas = np.bincount(row[tiles.ranks <= last], minlength=len(cells)).astype(np.int32)[view.cells]
+    excess = int(quotas.sum(dtype=np.int64)) - count
+    # Of the cells that hold a point of the highest rank some give one less, by lot.
+    i, j = np.nonzero(np.isin(view.cells, row[tiles.ranks == last]))
+    lots = MixerHash(0).words(_LOTS, view.window.column + j, view.window.row + i)
+    lose = np.argsort(lots, kind="stable")[:excess]
+    quotas[i[lose], j[lose]] -= 1
+    return quotas
+
+
+def draw_lowest(window: PointWindow, count: int) -> NDArray[np.intp]:
+    """Which ``count`` points of a window have the lowest ranks, in the window's order."""
+    _check_enough(count, len(window.points))
+    x, y = window.cells.T
+    lots = MixerHash(0).words(_LOTS, x, y, window.numbers)
+    return np.sort(np.lexsort((lots, window.ranks))[:count])
+
+
+def evaluate_density(density: DensityFunction, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What a density function says of points, if it says a share for each."""
+    shown = points.view()
+    shown.setflags(write=False)
+    try:
+        shares = np.asarray(density(shown))
+    except ValueError as error:
+        if "read-only" in str(error):
+            raise TilewrightValueError("the density function writes into the points it is given") from None
+        raise
+    if shares.dtype.kind not in "biuf":
+        raise TilewrightTypeError(f"the density function answered {shares.dtype}; expected numbers")
+    shares = shares.astype(np.float64)
+    if shares.shape != (len(points),):
+        raise TilewrightValueError(
+            f"the density function answered shape {shares.shape} for {len(points)} points; expected one "
+            "number for each"
+        )
+    bad = ~((shares >= 0) & (shares <= 1))
+    if bad.any():
+        at = int(np.argmax(bad))
+        raise TilewrightValueError(
+            f"the density function is {shares[at]} at {tuple(points[at].tolist())}; shares are 0 to 1"
+        )
+    return shares
+
+
+def _check_enough(count: int, there: int) -> None:
+    if there < count:
+        raise TilewrightValueError(
+            f"count is {count}; the window holds {there} points, so ask for fewer or for a larger one"
+        )

@@ -1,0 +1,124 @@
+"""What cells do to particles: the tiles of flow simulations (Kaji et al. 2016, sections 5 and 6)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tilewright.checks import as_integers, brief, check_choice, check_int, check_real
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.seeds import derive_key, make_key
+from tilewright.tilings.hashes import MixerHash
+
+STREAM = 16
+WAYS = {"-": (1, 3), "|": (0, 2), "+": (0, 1, 2, 3)}
+"""North, east, south, west as 0 to 3."""
+_FASTEST, _SLOWEST = 8.0, 0.001
+_MOST_BORN = 1000.0
+
+
+@dataclass(frozen=True)
+class FlowTile:
+    """What a cell does to particles.
+
+    Parameters
+    ----------
+    ways : str
+        Where a particle goes on from the center: ``"-"`` west or east, ``"|"`` north or south (Kaji et al.
+        2016, section 5), ``"+"`` any of the four. All are equally likely.
+    speed : float
+        Cells for each step, 0.001 to 8, of particles on this cell.
+    emits : float
+        New particles for each step in the center of the cell, on average; 0 to 1000.
+    kills : float
+        Chance that a particle that reaches the center dies there, 0 to 1.
+    """
+
+    ways: str
+    speed: float = 1.0
+    emits: float = 0.0
+    kills: float = 0.0
+
+    def __post_init__(self) -> None:
+        check_choice("ways", self.ways, tuple(WAYS))
+        check_real("speed", self.speed, _SLOWEST, _FASTEST)
+        check_real("emits", self.emits, 0, _MOST_BORN)
+        check_real("kills", self.kills, 0, 1)
+
+
+FLOW_TILES = (FlowTile("-"), FlowTile("|"))
+"""The two tiles of the paper."""
+
+
+def check_tiles(tiles: Sequence[FlowTile], most: int = 256) -> tuple[FlowTile, ...]:
+    """The tiles that stand for the numbers 0, 1, ... of cells."""
+    if not isinstance(tiles, Sequence):
+        raise TilewrightTypeError(f"tiles must be a sequence of FlowTile objects, not {brief(tiles)}")
+    kinds = tuple(tiles)
+    for tile in kinds:
+        if not isinstance(tile, FlowTile):
+            raise TilewrightTypeError(f"tiles must hold FlowTile objects, not {brief(tile)}")
+    check_int("the number of tiles", len(kinds), 1, most)
+    return kinds
+
+
+def strew_tiles(
+    cells: ArrayLike,
+    *,
+    emitting: float = 0.0,
+    killing: float = 0.0,
+    slow: float = 0.0,
+    fast: float = 0.0,
+    tiles: Sequence[FlowTile] = FLOW_TILES,
+    rate: float = 0.02,
+    seed: int = 0,
+) -> tuple[NDArray[np.uint8], tuple[FlowTile, ...]]:
+    """Make some cells emit, kill, slow down or speed up, by chance, without changing their ways.
+
+    A dappled tiling stays dappled as to the ways of its tiles.
+
+    Parameters
+    ----------
+    cells : array-like of int, shape (height, width)
+    emitting, killing, slow, fast : float
+        Shares of the cells, 0 to 1, together up to 1. Killing cells kill all that reach their center; slow
+        and fast ones have 0.4 and 2.5 times the speed, within 0.001 to 8.
+    tiles : sequence of FlowTile
+        What ``cells`` holds, up to 51.
+    rate : float
+        New particles for each step in an emitting cell.
+    seed : int
+        0 to 2^64 - 1.
+
+    Returns
+    -------
+    cells : uint8 array, shape (height, width)
+        Tile ``t + len(tiles) * kind``; kinds are plain, emitting, killing, slow and fast.
+    tiles : tuple of FlowTile
+        Five times as many as given.
+    """
+    given = as_integers("cells", cells)
+    plain = check_tiles(tiles, 51)
+    count = len(plain)
+    if given.ndim != 2 or given.size == 0:
+        raise TilewrightValueError(f"cells have shape {given.shape}; expected (height, width), neither 0")
+    if given.min() < 0 or given.max() >= count:
+        raise TilewrightValueError(f"cells hold {given.min()} to {given.max()}; tiles are 0 to {count - 1}")
+    shares = []
+    for name, share in (("emitting", emitting), ("killing", killing), ("slow", slow), ("fast", fast)):
+        shares.append(check_real(f"the share of {name} cells", share, 0, 1))
+    # Rounding of sums such as 0.7 + 0.2 + 0.1 is forgiven.
+    check_real("the sum of the shares", round(sum(shares), 12), 0, 1)
+    kinds = list(plain)
+    kinds += [replace(tile, emits=rate) for tile in plain]
+    kinds += [replace(tile, kills=1.0) for tile in plain]
+    for factor in (0.4, 2.5):
+        speeds = [min(max(tile.speed * factor, _SLOWEST), _FASTEST) for tile in plain]
+        kinds += [replace(tile, speed=speed) for tile, speed in zip(plain, speeds, strict=True)]
+    most = np.cumsum(shares[::-1])[::-1] * 2.0**32
+    hash = MixerHash(int(derive_key(make_key(seed), STREAM, 2)))
+    words = hash.words(STREAM, np.arange(given.shape[1]), np.arange(given.shape[0])[:, np.newaxis])
+    # Each kind takes the words below its bound and not below the next one's.
+    kind = (words[..., np.newaxis] < most).sum(axis=-1)
+    return (given + count * kind).astype(np.uint8), tuple(kinds)

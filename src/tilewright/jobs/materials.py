@@ -1,0 +1,307 @@
+"""From photographs to texture tiles: opens what a person brings and synthesizes."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.checks import check_choice
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.files.images import read_image
+from tilewright.files.map_stack import find_maps, tell_green
+from tilewright.signals.textures import Exemplar, TextureTiles
+from tilewright.signals.textures.exemplar import check_kinds, check_map
+from tilewright.signals.textures.kinds import is_normal
+from tilewright.tiles import TileSet, corner_tiles
+
+Picture = str | Path | NDArray[Any]
+Photo = Picture | Mapping[str, Picture]
+
+
+def open_exemplar(
+    photo: Photo,
+    *,
+    second: Photo | None = None,
+    mask: Picture | None = None,
+    second_mask: Picture | None = None,
+    weights: dict[str, float] | None = None,
+    kinds: dict[str, str] | None = None,
+    normal: str | None = None,
+    flatten: bool = False,
+) -> Exemplar:
+    """An exemplar from files or arrays.
+
+    Parameters
+    ----------
+    photo : path, array of shape (h, w) or (h, w, channels), or dict of map name to either
+        A single picture becomes the map ``"albedo"``; a folder gives the maps its file names tell, see
+        `find_maps`. Sizes may differ by powers of two: smaller maps are enlarged.
+    second : the same, optional
+        The source of the marked corners of an inhomogeneous set.
+    mask, second_mask : path or array, optional
+        Pixels that may be copied: those at least half as bright as white.
+    weights : dict of map name to float, optional
+        How much a map counts when patches are matched and cut; 1 for color, 0.1 for others by default.
+    kinds : dict of map name to kind, optional
+        What maps hold: ``"color"``, ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"``,
+        ``"normal-dx"``; told by their names by default.
+    normal : ``"gl"`` or ``"dx"``, optional
+        Whether green points up or down in maps of normals; found from the height map, or from the slopes of
+        the normals themselves, by default, and said in a warning.
+    flatten : bool
+        Take out of color maps the light that varies slowly, which makes repetition visible.
+
+    Raises
+    ------
+    TilewrightFileError
+        A file is not a whole image, or a folder has no maps that can be told by name.
+    TilewrightValueError, TilewrightTypeError
+        Maps that cannot belong together: sizes, NaN, a map of normals that holds none.
+    """
+    if second is None and second_mask is not None:
+        raise TilewrightValueError("second_mask is for a second photograph; give second too")
+    meaning = _Meaning(kinds, normal, flatten)
+    prepared, settled = _prepare([photo] if second is None else [photo, second], meaning)
+    masks = [_open_mask(mask)] + ([] if second is None else [_open_mask(second_mask)])
+    return Exemplar(
+        prepared, [_fit_mask(m, p) for m, p in zip(masks, prepared, strict=True)], weights, settled
+    )
+
+
+def add_maps(
+    material: TextureTiles,
+    photo: Photo,
+    *,
+    second: Photo | None = None,
+    kinds: dict[str, str] | None = None,
+    normal: str | None = None,
+    flatten: bool = False,
+) -> TextureTiles:
+    """Cut further maps of the same photograph as a material was cut.
+
+    Parameters
+    ----------
+    material : TextureTiles
+        Where every pixel came from is read from ``material.origins``; nothing is decided anew.
+    photo : dict of map name to path or array
+        New maps; one of a name that is there replaces it. Sizes may differ from the photograph's by powers
+        of two.
+    second : the same, where the material has two sources
+    kinds, normal, flatten
+        As in `open_exemplar`.
+
+    Returns
+    -------
+    TextureTiles
+        The material with the maps. They count nothing in its recipe, so `resynthesize` makes the same cuts.
+    """
+    from tilewright.signals.textures.seams import copy_maps
+
+    if not isinstance(material, TextureTiles):
+        raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+    if (second is not None) != (len(material.sources) == 2):
+        raise TilewrightValueError(
+            f"the material is made from {len(material.sources)} photographs; give maps for each of them"
+        )
+    sizes = [next(iter(s.values())).shape[:2] for s in material.sources]
+    meaning = _Meaning(kinds, normal, flatten)
+    prepared, settled = _prepare([photo] if second is None else [photo, second], meaning, sizes)
+    new = Exemplar(prepared, None, None, settled)
+    maps = copy_maps(new.sources, material.origins, new.kinds, material.tiles)
+    recipe = dict(material.recipe)
+    if isinstance(recipe.get("weights"), dict):
+        recipe["weights"] = dict.fromkeys(new.kinds, 0.0) | recipe["weights"]
+    return replace(
+        material,
+        recipe=recipe,
+        maps=material.maps | maps,
+        sources=tuple(old | added for old, added in zip(material.sources, new.sources, strict=True)),
+        kinds=material.kinds | new.kinds,
+    )
+
+
+class _Meaning:
+    """What was said of the maps: their kinds, which way green points, whether light is to be flattened."""
+
+    def __init__(self, kinds: Mapping[str, str] | None, normal: str | None, flatten: bool) -> None:
+        if normal is not None:
+            check_choice("normal", normal, ("gl", "dx"))
+        if not isinstance(flatten, bool):
+            raise TilewrightTypeError(f"flatten must be True or False, not {flatten!r}")
+        self.kinds, self.normal, self.flatten = kinds, normal, flatten
+
+    def known(self, photo: Photo, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
+        """Kinds that need no guess: told by a file's name, by ``normal``, by ``kinds``."""
+        normals = [name for name, kind in check_kinds(self.kinds, maps).items() if is_normal(kind)]
+        files = {n: Path(p) for n, p in _list_maps(photo, "photo").items() if isinstance(p, (str, Path))}
+        told = {name: green for name in normals if name in files and (green := tell_green(files[name]))}
+        told |= {name: f"normal-{name[-2:]}" for name in normals if name.lower().endswith(("-dx", "-gl"))}
+        if self.normal is not None:
+            if not normals:
+                raise TilewrightValueError(
+                    f"normal is {self.normal!r}, and none of the maps holds normals: {', '.join(maps)}"
+                )
+            told |= dict.fromkeys(normals, f"normal-{self.normal}")
+        for name, kind in (self.kinds or {}).items():
+            if self.normal is not None and is_normal(kind) and kind != told[name]:
+                raise TilewrightValueError(
+                    f"map {name!r} is {kind} by kinds and {self.normal} by normal; say one"
+                )
+            told[name] = kind
+        return told
+
+
+def _prepare(
+    photos: list[Photo], meaning: _Meaning, sizes: list[tuple[int, int]] | None = None
+) -> tuple[list[dict[str, NDArray[Any]]], dict[str, str]]:
+    """The maps of every source in one size, normals whole, light even; and what each map holds."""
+    from tilewright.signals.textures.preparation import turn_green
+
+    prepared = []
+    kinds: dict[str, str] = {}
+    for number, photo in enumerate(photos):
+        maps = _open_maps(photo, ("photo", "second")[number])
+        maps, found = _prepare_one(photo, maps, meaning, sizes[number] if sizes else None, number)
+        # The second photograph's normals are turned where they point the other way than the first's.
+        for name, kind in found.items():
+            if is_normal(kind) and kinds.setdefault(name, kind) != kind:
+                maps[name] = turn_green(maps[name])
+            kinds.setdefault(name, kind)
+        prepared.append(maps)
+    return prepared, kinds
+
+
+def _prepare_one(
+    photo: Photo,
+    maps: dict[str, NDArray[Any]],
+    meaning: _Meaning,
+    size: tuple[int, int] | None,
+    number: int,
+) -> tuple[dict[str, NDArray[Any]], dict[str, str]]:
+    from tilewright.signals.textures.preparation import (
+        flatten_light,
+        match_sizes,
+        mend_normals,
+        settle_normals,
+    )
+
+    known = meaning.known(photo, maps)
+    kinds = check_kinds(known, maps)
+    maps = match_sizes(maps, kinds, size)
+    for name, kind in kinds.items():
+        if is_normal(kind):
+            maps[name] = mend_normals(maps[name], kind, name)
+        elif meaning.flatten and kind == "color":
+            maps[name] = flatten_light(maps[name])
+    return maps, settle_normals(maps, kinds, set(known), " of the second photograph" if number else "")
+
+
+def texture_tiles(
+    photo: Photo,
+    tiles: TileSet | None = None,
+    *,
+    second: Photo | None = None,
+    mask: Picture | None = None,
+    second_mask: Picture | None = None,
+    weights: dict[str, float] | None = None,
+    kinds: dict[str, str] | None = None,
+    normal: str | None = None,
+    flatten: bool = False,
+    tile_size: int | str = 128,
+    seed: int = 0,
+    **options: Any,
+) -> TextureTiles:
+    """Texture tiles from a photograph; see `open_exemplar` for the pictures.
+
+    Parameters
+    ----------
+    tiles : TileSet, optional
+        The complete corner set over 2 colors by default, over 4 with two photographs.
+    tile_size : int or "auto"
+        Pixels along a tile.
+    seed : int
+        The same seed gives the same bytes.
+    **options
+        ``method``, ``pick``, ``reject``, ``threads`` and ``progress``, as in `tilewright.synthesize`.
+
+    Raises
+    ------
+    TilewrightFileError
+        A file is not a whole image.
+    TilewrightValueError, TilewrightTypeError
+        A picture, size or option that cannot be used; the message names it and what is allowed.
+    """
+    from tilewright.signals.textures import synthesize
+
+    exemplar = open_exemplar(
+        photo,
+        second=second,
+        mask=mask,
+        second_mask=second_mask,
+        weights=weights,
+        kinds=kinds,
+        normal=normal,
+        flatten=flatten,
+    )
+    if tiles is None:
+        tiles = corner_tiles(2 if second is None else 4)
+    return synthesize(exemplar, tiles, tile_size=tile_size, seed=seed, **options)
+
+
+def _list_maps(photo: Photo, what: str) -> Mapping[str, Picture]:
+    if isinstance(photo, Mapping):
+        if not photo:
+            raise TilewrightValueError(f"{what} is an empty dict; at least one map is needed")
+        return photo
+    if isinstance(photo, (str, Path)) and Path(photo).is_dir():
+        return find_maps(photo)
+    return {"albedo": photo}
+
+
+def _open_maps(photo: Photo, what: str) -> dict[str, NDArray[Any]]:
+    maps = _list_maps(photo, what)
+    alone = not isinstance(photo, Mapping)
+    return {n: _open_map(picture, what if alone else f"map {n!r}") for n, picture in maps.items()}
+
+
+def _open_map(picture: Picture, what: str) -> NDArray[Any]:
+    """A map, checked at once, so that what is wrong with a file is said with its name."""
+    return check_map(str(picture) if isinstance(picture, (str, Path)) else what, _open(picture, what))
+
+
+def _open(picture: Picture, what: str) -> NDArray[Any]:
+    if isinstance(picture, (str, Path)):
+        return read_image(picture)
+    if isinstance(picture, np.ndarray):
+        return picture
+    raise TilewrightTypeError(f"{what} must be a path or an array, not {type(picture).__name__}")
+
+
+def _fit_mask(mask: NDArray[np.bool_] | None, maps: Mapping[str, NDArray[Any]]) -> NDArray[np.bool_] | None:
+    """A mask at the size of the maps, where it was made for smaller ones."""
+    height, width = next(iter(maps.values())).shape[:2]
+    if mask is None or mask.ndim != 2 or not mask.size:
+        return mask
+    times = height // mask.shape[0]
+    if (mask.shape[0] * times, mask.shape[1] * times) != (height, width):
+        return mask  # which is refused with both sizes named
+    return mask.repeat(times, axis=0).repeat(times, axis=1)
+
+
+def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:
+    if mask is None:
+        return None
+    pixels = _open(mask, "mask")
+    if pixels.dtype == bool:
+        return pixels
+    if pixels.dtype.kind not in "uf" or not np.isfinite(pixels).all():
+        raise TilewrightTypeError(
+            f"mask holds {pixels.dtype}; allowed are bool, unsigned integers, and floats without NaN"
+        )
+    white = np.iinfo(pixels.dtype).max if pixels.dtype.kind == "u" else 1
+    if pixels.ndim == 3:  # grey or color, either of them with alpha, which does not count
+        pixels = pixels[..., : 1 if pixels.shape[2] < 3 else 3].mean(axis=2)
+    return pixels >= white / 2

@@ -1,0 +1,132 @@
+"""The tile lookup of all shader dialects: its constants, its text, and the table it is tested against.
+
+The hash is the mixer of ``docs/hashes.md``. Everything that it takes in before the low word of y depends on
+the seed and on the signs of x and y alone, and is worked out here; a shader is left with two rounds for the
+rows of lattice points around a cell and half a round for each of its four corners.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tilewright import __version__
+from tilewright.checks import check_choice, check_int
+from tilewright.seeds import check_seed
+from tilewright.shaders.templates import fill, read_text
+from tilewright.tiles import corner_tiles
+from tilewright.tilings import MixerHash, direct
+from tilewright.tilings.hashes import MULTIPLIERS
+from tilewright.tilings.packings.closed_form import packing
+
+DIALECTS = {
+    "glsl": "tilewright.glsl",
+    "wgsl": "tilewright.wgsl",
+    "hlsl": "tilewright.hlsl",
+    "unreal": "unreal_node.hlsl",
+    "godot": "tilewright.gdshaderinc",
+    "osl": "lookup.osl",
+}
+"""The shader dialects, and the template of each one's lookup."""
+ARRAY_TILES = 256
+"""Sets of more tiles than this are laid out as an atlas, not as an array: all devices have 256 layers."""
+MOST_COLORS = 8
+
+
+def start_states(seed: int) -> tuple[tuple[int, int], ...]:
+    """Hash states (a, b) of a seed, as 32-bit words, for the four combinations of signs.
+
+    In the order x, y >= 0; x < 0 <= y; y < 0 <= x; x, y < 0. They are the states of the corner colors of
+    ``direct(tiles, seed)`` after all but the low words of y and x, for coordinates within 32 bits.
+    """
+    check_seed(seed)
+    hash = MixerHash(seed)
+    return tuple(hash.start(x_high, y_high) for y_high in (0, -1) for x_high in (0, -1))
+
+
+def tile_table(colors: int, seed: int, x: ArrayLike, y: ArrayLike) -> NDArray[np.int32]:
+    """The tile of each cell (x, y), as `direct` lays them: what every dialect must answer."""
+    tiling = direct(corner_tiles(colors), seed)
+    cells = zip(np.ravel(x), np.ravel(y), strict=True)
+    return np.array([tiling.indices(int(i), int(j), 1, 1)[0, 0] for i, j in cells], np.int32)
+
+
+def lookup(dialect: str, colors: int, seed: int, tile_size: int, gutter: int | None) -> str:
+    """The lookup in a shader dialect, as the text of an include file.
+
+    Parameters
+    ----------
+    dialect : str
+        One of `DIALECTS`.
+    colors : int
+        Colors of the complete corner set, 1 to 8.
+    seed : int
+        Seed of the tiling.
+    tile_size : int
+        Pixels along the side of a tile.
+    gutter : int or None
+        Pixels around each layer of a texture array; None for the packed atlas.
+    """
+    part = DIALECTS[check_choice("dialect", dialect, tuple(DIALECTS))]
+    check_int("colors", colors, 1, MOST_COLORS)
+    values = numbers(colors, seed, tile_size, gutter)
+    return _fill(part, **values, functions=_fill("functions.hlsl", **values))
+
+
+def _fill(part: str, **values: str | bool) -> str:
+    return fill(read_text(__package__, f"dialects/{part}"), **values)
+
+
+def numbers(colors: int, seed: int, tile_size: int, gutter: int | None) -> dict[str, str | bool]:
+    """What the templates of the dialects are filled with."""
+    array, even = gutter is not None, colors % 2 == 0
+    layer = tile_size + 2 * (gutter or 0)
+    texels = layer if array else colors**2 * tile_size
+    named: dict[str, str | bool] = {
+        "version": __version__,
+        "colors": str(colors),
+        "half": str(colors // 2),
+        "side": str(colors**2),
+        "seed": str(seed),
+        "array": array,
+        "atlas": not array,
+        "odd": not array and not even,
+        "two": not array and colors == 2,
+        "even": not array and even and colors > 2,
+        # A tile's share of a layer's (or the atlas's) side, and where in a layer it begins.
+        "scale": real(tile_size / texels),
+        "gutter": real((gutter or 0) / texels),
+    }
+    for n, multiplier in enumerate(MULTIPLIERS):
+        named[f"m{n}"], named[f"m{n}s"] = f"0x{multiplier:08x}", str(signed(multiplier))
+    for n, state in enumerate(start_states(seed)):
+        for letter, word in zip("ab", state, strict=True):
+            named[f"{letter}{n}"], named[f"{letter}{n}s"] = f"0x{word:08x}", str(signed(word))
+    if even:
+        for axis, word in zip("xy", _base_places(), strict=True):
+            named[f"base_{axis}"], named[f"base_{axis}s"] = f"0x{word:08x}", str(signed(word))
+    return named
+
+
+def _base_places() -> tuple[int, int]:
+    """Column and row of the 16 tiles over 2 colors in their packing: two bits each, tile 0 lowest.
+
+    Tiles are numbered NW, NE, SW, SE here, as `torus_place` has them.
+    """
+    packed = packing(corner_tiles(2))
+    words = [0, 0]
+    for code in range(16):
+        nw, ne, sw, se = (code >> shift & 1 for shift in (3, 2, 1, 0))
+        place = packed.place(((ne * 2 + se) * 2 + sw) * 2 + nw)
+        for axis in range(2):
+            words[axis] |= int(place[axis]) << 2 * code
+    return words[0], words[1]
+
+
+def signed(word: int) -> int:
+    """A 32-bit word as the signed integer of the same bits, for dialects that know no others."""
+    return word - 2**32 if word >= 2**31 else word
+
+
+def real(value: float) -> str:
+    """A float literal that all dialects read back as the nearest 32-bit number."""
+    text = f"{value:.9g}"
+    return text if "." in text or "e" in text else f"{text}.0"

@@ -1,0 +1,196 @@
+"""Mip levels of texture tiles that show no line where tiles meet.
+
+A texel next to a tile's border is filtered together with one beyond it, which graphics hardware takes from
+the layer or the atlas, not from the tile that really lies there. So in every level such texels are made to
+depend on what both sides know: next to an edge, on the colors of that edge alone; next to a corner, on the
+color of that corner alone. Each becomes its mean over all tiles that share those colors. Where the tiles were
+made with a border as wide as a texel, all those are equal already and nothing changes; in the coarsest
+levels, where a tile is one texel, what is left is the mean of the set (Lagae & Dutré 2006, section 6.2, asks
+for the first; the rest is our own).
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.checks import check_choice
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.signals.textures.kinds import Values, from_values, is_normal, to_values
+from tilewright.signals.textures.sharing import Rim, Shared, with_gutters
+from tilewright.signals.textures.texture_tiles import TextureTiles
+
+
+@dataclass(frozen=True, eq=False)
+class Mipmaps:
+    """A full mip chain.
+
+    Attributes
+    ----------
+    levels : tuple of array, shape (layers, rows, columns, channels)
+        Level k has half the rows and columns of the one before, rounded down, to 1 x 1; the type of the map.
+    gutter : int
+        Pixels of level 0 around the tile in each layer.
+    clean : int
+        Levels 0 to ``clean`` are plain means of the pixels they cover, everywhere; in coarser ones, texels at
+        tile borders are means over the tiles that share those borders.
+    """
+
+    levels: tuple[NDArray[Any], ...]
+    gutter: int
+    clean: int
+
+
+def layer_mipmaps(material: TextureTiles, map: str | None = None) -> Mipmaps:
+    """Mip levels of a map, a layer for each tile in its order, with gutters around the tiles.
+
+    Filter layers with clamped coordinates. Place p in a tile, 0 to 1, is at
+    ``(gutter + p * tile_size) / (2 * gutter + tile_size)`` of its layer; take gradients of the position
+    before it is split into cell and place.
+
+    Returns
+    -------
+    Mipmaps
+        Level 0 has shape (T, n + 2 gutter, n + 2 gutter, channels): the pixels of the map, and around them
+        those of neighbors that may lie there.
+
+    Raises
+    ------
+    TilewrightValueError
+        There is no such map, or the tiles have no corner colors: what lies at the corners of Wang tiles
+        depends on tiles that touch only there.
+    """
+    name = check_map_name(material, map)
+    shared = Shared(material.tiles)
+    if not shared.corners:
+        raise TilewrightValueError(
+            f"layers with gutters need tiles with corner colors, and {material.tiles.shape.name} tiles have "
+            "none: make the texture over corner_tiles(), or take an atlas"
+        )
+    gutter = layer_gutter(material.tile_size)
+
+    def values(name: str) -> Iterator[tuple[Values, bool]]:
+        kind = material.kinds[name]
+        level = to_values(with_gutters(material.maps[name], gutter, shared), kind)
+        while True:
+            rim = Rim.of_layer(level.shape[1], material.tile_size, gutter)
+            yield shared.settle(level, rim)
+            if level.shape[1] == 1:
+                return
+            level = _halve(level)
+
+    base = with_gutters(material.maps[name], gutter, shared)
+    return _encode(material, name, base, values, gutter)
+
+
+def layer_gutter(size: int) -> int:
+    """Pixels around a tile of ``size`` pixels in its layer: a power of two, up to a 16th of it, at least 2.
+
+    Texels of as many levels fit between gutter and tile; with those that do not, borders look smoother than
+    the rest, so that is left to levels in which a tile is a few texels.
+    """
+    return max(2, 1 << max(1, size // 16).bit_length() - 1)
+
+
+def atlas_mipmaps(material: TextureTiles, cells: NDArray[Any], map: str | None = None) -> Mipmaps:
+    """Mip levels of a picture of whole tiles, as one layer.
+
+    Parameters
+    ----------
+    cells : int array, shape (rows, columns)
+        The tile of each cell of a torus whose neighbors match, such as a `tilewright.packing`. Filter the
+        picture with repeated coordinates.
+
+    Returns
+    -------
+    Mipmaps
+        Level 0 has shape (1, rows * n, columns * n, channels). Levels are free of lines where their texels
+        divide the tiles, so the tile size n should be a power of two.
+    """
+    name = check_map_name(material, map)
+    cells = np.asarray(cells)
+    if cells.ndim != 2 or cells.dtype.kind not in "iu":
+        raise TilewrightTypeError(f"cells must be a table of tile indices, not {cells.dtype} {cells.shape}")
+    shared = Shared(material.tiles)
+
+    def values(name: str) -> Iterator[tuple[Values, bool]]:
+        tiles = to_values(material.maps[name], material.kinds[name])
+        while True:
+            settled, same = shared.settle(tiles, Rim(tiles.shape[1], 0, None))
+            picture = _lay(settled, cells)
+            yield picture, same
+            if tiles.shape[1] % 2:
+                break
+            tiles = _halve(tiles)
+        while max(picture.shape[1:3]) > 1:
+            picture = _halve(picture)
+            yield picture, False
+
+    return _encode(material, name, _lay(material.maps[name], cells), values, 0)
+
+
+def check_map_name(material: TextureTiles, map: str | None) -> str:
+    """A map's name, the main one by default."""
+    return material.main if map is None else check_choice("map", map, tuple(material.maps))
+
+
+def _encode(material: TextureTiles, name: str, base: NDArray[Any], values: Any, gutter: int) -> Mipmaps:
+    """Pixels of every level from its values; the first is kept as it is."""
+    kind, pixels = material.kinds[name], material.maps[name]
+    normals = [n for n, k in material.kinds.items() if is_normal(k) and material.maps[n].shape[-1] > 2]
+    bumps = values(normals[0]) if kind == "roughness" and normals else None
+    levels: list[NDArray[Any]] = []
+    clean, all_same = 0, True
+    for k, (level, same) in enumerate(values(name)):
+        if bumps is not None:
+            level = level.copy()
+            rough = level[..., :-1] if level.shape[-1] in (2, 4) else level
+            rough += _spread(next(bumps)[0])
+        all_same = all_same and same
+        clean = k if all_same else clean
+        levels.append(from_values(level, kind, pixels) if k else base)
+    return Mipmaps(tuple(levels), gutter, clean)
+
+
+def _spread(normals: Values) -> Values:
+    """What normals of different directions add to the squared width of a lobe.
+
+    A mean of unit vectors of length l stands for slopes of variance (1 - l) / l along each axis (Toksvig
+    2005), and a lobe of width a^2 takes in twice that (Olano & Baker 2010, section 2).
+    """
+    length = np.sqrt((normals[..., :3] ** 2).sum(axis=-1, keepdims=True))
+    # Rounding of the map's own pixels must not count.
+    return np.where(length < 0.999, 2 * (1 - length) / np.maximum(length, 0.05), 0).astype(np.float32)
+
+
+def _halve(level: Values) -> Values:
+    """Means over 2 x 2 texels; by area where rows or columns are odd."""
+    for axis in (1, 2):
+        count = level.shape[axis]
+        if count == 1:
+            continue
+        if count % 2 == 0:
+            even, odd = (level[(slice(None),) * axis + (slice(start, None, 2),)] for start in (0, 1))
+            level = (even + odd) * np.float32(0.5)
+        else:
+            level = np.moveaxis(np.tensordot(_area_weights(count), level, (1, axis)), 0, axis)
+    return np.ascontiguousarray(level, np.float32)
+
+
+def _area_weights(count: int) -> Values:
+    """How much each of an odd number of texels counts in half as many, rounded down."""
+    half = count // 2
+    ratio = count / half
+    low = np.arange(half)[:, None] * ratio
+    overlap = np.minimum(low + ratio, np.arange(count) + 1) - np.maximum(low, np.arange(count))
+    return (np.maximum(overlap, 0) / ratio).astype(np.float32)
+
+
+def _lay(tiles: NDArray[Any], cells: NDArray[Any]) -> NDArray[Any]:
+    """Tiles side by side, one layer."""
+    rows, columns = cells.shape
+    n = tiles.shape[1]
+    picture = tiles[cells].swapaxes(1, 2)
+    return np.ascontiguousarray(picture).reshape(1, rows * n, columns * n, -1)

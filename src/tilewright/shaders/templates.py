@@ -1,0 +1,20 @@
+"""Texts with places to fill: shaders in any dialect, pages, scripts."""
+
+import re
+from importlib.resources import files
+
+
+def read_text(package: str, name: str) -> str:
+    """A text file that comes with ``package``."""
+    return (files(package) / name).read_text(encoding="utf-8")
+
+
+def fill(text: str, **values: str | bool) -> str:
+    """A text with its placeholders filled, in one pass.
+
+    ``{{name}}`` becomes the value; lines between ``{{#name}}`` and ``{{/name}}``, each on a line of its own
+    (in a comment), stay where the value is true and go where it is not.
+    """
+    section = r"^[^\S\n]*(?://|#) \{\{#(\w+)\}\}\n(.*?)^[^\S\n]*(?://|#) \{\{/\1\}\}\n"
+    text = re.sub(section, lambda m: m[2] if values[m[1]] else "", text, flags=re.DOTALL | re.MULTILINE)
+    return re.sub(r"\{\{(\w+)\}\}", lambda m: str(values[m[1]]), text)

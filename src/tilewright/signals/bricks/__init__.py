@@ -1,0 +1,5 @@
+"""Walls of bricks as pictures: how they look, and tiles of them."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

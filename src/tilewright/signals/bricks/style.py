@@ -1,0 +1,176 @@
+"""How a wall looks: colors, mortar, edges, and how much its bricks differ."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.checks import check_choice, check_int, check_real
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+
+Color = tuple[int, int, int]
+
+PALETTES = {
+    "red": ("975646 a36250 8a4a3f ad705b 79443d 935e50 6c423e", "aea89d"),
+    "yellow": ("be9e6c b08f60 cbae7e a0805a b89670 8e7456 c4a684", "b6b0a2"),
+    "sandstone": ("bca684 b09876 c8b496 a68c6c b69c7c c2aa86 9e886e", "a69c8a"),
+    "gray": ("848482 767878 94928c 686a6c 8a847c 7c8084 606060", "a4a098"),
+}
+"""Colors of bricks, and of the mortar between them, in sRGB."""
+_MOST_PIXELS = 1024
+
+
+@dataclass(frozen=True)
+class BrickStyle:
+    """How a wall looks.
+
+    Parameters
+    ----------
+    colors : str or sequence of (red, green, blue)
+        One of `PALETTES`, or colors of your own, 0 to 255 in sRGB; each brick gets one or a mixture of two.
+    mortar_color : (red, green, blue), optional
+        The palette's by default.
+    mortar : int, optional
+        Pixels between bricks; by default an eighth of a course, less where bricks are thin.
+    bevel : float, optional
+        Pixels over which a brick rises from its edge to its face; 0.8 times the mortar by default.
+    relief : float, optional
+        Pixels from the deepest to the highest place a height map can tell; as deep as the mortar is wide
+        by default.
+    variation : float, 0 to 1
+        How much bricks differ in color, height and tilt.
+    wear : float, 0 to 1
+        How uneven edges are, and how much mortar is smeared over them.
+    grain : float, 0 to 1
+        How sandy the surfaces of brick and mortar are.
+    """
+
+    colors: str | Sequence[Color] = "red"
+    mortar_color: Color | None = None
+    mortar: int | None = None
+    bevel: float | None = None
+    relief: float | None = None
+    variation: float = 1.0
+    wear: float = 1.0
+    grain: float = 1.0
+
+    def __post_init__(self) -> None:
+        if isinstance(self.colors, str):
+            check_choice("colors", self.colors, tuple(PALETTES))
+        else:
+            object.__setattr__(self, "colors", _check_colors("colors", self.colors))
+        if self.mortar_color is not None:
+            object.__setattr__(self, "mortar_color", _check_colors("mortar_color", (self.mortar_color,))[0])
+        if self.mortar is not None:
+            check_int("mortar", self.mortar, 1, _MOST_PIXELS)
+        for name in ("bevel", "relief"):
+            if getattr(self, name) is not None:
+                check_real(name, getattr(self, name), 0, _MOST_PIXELS)
+        for name in ("variation", "wear", "grain"):
+            check_real(name, getattr(self, name), 0, 1)
+
+    @property
+    def palette(self) -> NDArray[np.float64]:
+        """Colors of bricks, 0 to 1, shape (n, 3)."""
+        colors = _read(PALETTES[self.colors][0]) if isinstance(self.colors, str) else self.colors
+        return np.array(colors, np.float64) / 255
+
+    @property
+    def lime(self) -> NDArray[np.float64]:
+        """The color of mortar, 0 to 1, shape (3,)."""
+        usual = PALETTES[self.colors if isinstance(self.colors, str) else "red"][1]
+        return np.array(self.mortar_color or _read(usual)[0], np.float64) / 255
+
+    def fit(self, course: int, thinnest: int) -> "Look":
+        """The lengths for bricks of this height and this least width or height, in pixels.
+
+        Raises
+        ------
+        TilewrightValueError
+            The thinnest brick would vanish in the mortar.
+        """
+        mortar = self.mortar or max(1, min(round(course / 8), round(thinnest / 4)))
+        if mortar + 2 > thinnest:
+            raise TilewrightValueError(
+                f"mortar is {mortar} pixels, and the thinnest brick {thinnest} with half of it on either "
+                f"side; allowed are up to {max(thinnest - 2, 0)}: or take a larger size, or fewer positions"
+            )
+        room = (thinnest - mortar) / 2
+        bevel = min(0.8 * mortar if self.bevel is None else float(self.bevel), room)
+        return Look(
+            mortar=mortar,
+            bevel=max(bevel, 0.5),
+            rounding=min(0.65 * mortar, room),
+            wobble=self.wear * max(0.0, min(0.27 * mortar, mortar / 3.2 - 0.3)),
+            relief=float(mortar) if self.relief is None else float(self.relief),
+        )
+
+
+@dataclass(frozen=True)
+class Look:
+    """Lengths of a style in pixels, for bricks of a certain size.
+
+    Attributes
+    ----------
+    mortar : whole pixels between bricks.
+    bevel, rounding : of the edges and corners of bricks.
+    wobble : how far edges leave their line.
+    relief : from the lowest to the highest height, 0 to 1.
+    """
+
+    mortar: int
+    bevel: float
+    rounding: float
+    wobble: float
+    relief: float
+
+    @property
+    def insets(self) -> NDArray[np.int64]:
+        """From the sides of a brick with half the mortar around it to its own: whole pixels."""
+        half = self.mortar // 2
+        return np.array([half, half, half - self.mortar, half - self.mortar])
+
+
+def tint_bricks(style: BrickStyle, chances: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Two colors for each brick, between which its stains run; chances : (5, n), 0 to 1. Shape (n, 6)."""
+    palette = style.palette
+    first, second, third, amount, light = chances
+    mean = palette.mean(axis=0)
+    mixed = mean + style.variation * (
+        _blend(_pick(palette, first), _pick(palette, second), 0.6 * amount) - mean
+    )
+    stained = _blend(mixed, mean + style.variation * (_pick(palette, third) - mean), 0.35)
+    bright = 1 + 0.2 * style.variation * (2 * light - 1)[:, np.newaxis]
+    return np.concatenate([mixed * bright, 0.86 * stained * bright], axis=1)
+
+
+def _read(written: str) -> list[Color]:
+    """Colors written in hexadecimal digits."""
+    red, green, blue = ([int(word[at : at + 2], 16) for word in written.split()] for at in (0, 2, 4))
+    return list(zip(red, green, blue, strict=True))
+
+
+def _pick(palette: NDArray[np.float64], chance: NDArray[np.float64]) -> NDArray[np.float64]:
+    return palette[np.minimum((chance * len(palette)).astype(int), len(palette) - 1)]
+
+
+def _blend(
+    one: NDArray[np.float64], other: NDArray[np.float64], amount: NDArray[np.float64] | float
+) -> NDArray[np.float64]:
+    share = np.broadcast_to(amount, len(one))[:, np.newaxis]
+    return one + share * (other - one)
+
+
+def _check_colors(name: str, given: Any) -> tuple[Color, ...]:
+    """Colors as tuples of whole numbers."""
+    try:
+        colors = np.asarray(given)
+    except ValueError:
+        colors = np.empty(0, object)
+    if colors.ndim != 2 or colors.shape[1] != 3 or not len(colors) or colors.dtype.kind not in "iu":
+        raise TilewrightTypeError(f"{name} must hold whole numbers (red, green, blue), not {given!r}")
+    if colors.min() < 0 or colors.max() > 255:
+        raise TilewrightValueError(f"{name} holds {colors.min()} to {colors.max()}; allowed are 0 to 255")
+    return tuple((int(red), int(green), int(blue)) for red, green, blue in colors)

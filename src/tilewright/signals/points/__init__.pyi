@@ -1,0 +1,30 @@
+from .catalog import (
+    TILE_METHODS as TILE_METHODS,
+)
+from .catalog import (
+    make_point_tiles as make_point_tiles,
+)
+from .point_tiles import (
+    PointTiles as PointTiles,
+)
+from .promise import (
+    Closeness as Closeness,
+)
+from .promise import (
+    find_closeness as find_closeness,
+)
+from .recursion import (
+    recursive_points as recursive_points,
+)
+from .spikes import (
+    Spikes as Spikes,
+)
+from .spikes import (
+    find_spikes as find_spikes,
+)
+from .synthesis import (
+    METHODS as METHODS,
+)
+from .synthesis import (
+    poisson_tiles as poisson_tiles,
+)

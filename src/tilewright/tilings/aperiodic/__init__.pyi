@@ -1,0 +1,9 @@
+from .endless import (
+    aperiodic_tiling as aperiodic_tiling,
+)
+from .translated import (
+    TranslatedTiling as TranslatedTiling,
+)
+from .translated import (
+    translated_tiling as translated_tiling,
+)

@@ -1,0 +1,1 @@
+"""Tile packings: every tile of a complete set once, on a torus, neighbors matching."""

@@ -1,0 +1,125 @@
+"""Exports for engines: every dialect finds the tiles that Python finds, and draws the same pixels."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+import dialects
+import tilewright as tw
+from handmade import handmade
+from tilewright.export.engines.folder import prepare
+from tilewright.shaders import lookup as lookups
+from tilewright.shaders.lookup import fill
+from tilewright.tilings import packing
+
+SEEDS = (0, 2**32 + 5, 2**64 - 1)
+EDGE = 2**31
+
+
+def many_cells():
+    """Cells around the origin, near the ends of 32 bits, and anywhere: (N, 2)."""
+    near = [-EDGE, -EDGE + 1, -3, -2, -1, 0, 1, 2, 3, EDGE - 2, EDGE - 1]
+    grid = np.stack(np.meshgrid(near, near), -1).reshape(-1, 2)
+    rng = np.random.default_rng(4)
+    anywhere = rng.integers(-EDGE, EDGE, (150, 2))
+    around = rng.integers(-50, 50, (60, 2))
+    return np.concatenate([grid, anywhere, around])
+
+
+CELLS = many_cells()
+
+
+@pytest.fixture(scope="module")
+def table():
+    """Tiles of `CELLS`, by number of colors and seed: the one table all dialects are held against."""
+    return {(c, s): lookups.tile_table(c, s, *CELLS.T) for c in range(1, 9) for s in SEEDS}
+
+
+@pytest.fixture(scope="module")
+def device():
+    return dialects.device()
+
+
+def places(colors, tiles):
+    """Row * 256 + column in the atlas."""
+    x, y = packing(tw.corner_tiles(colors)).place(tiles)
+    return np.asarray(y) * 256 + np.asarray(x)
+
+
+def include_of(dialect, kit):
+    """The text that an export puts into a shader."""
+    if dialect == "unity":
+        return fill("unity/Tilewright.hlsl", **kit.numbers(), include=kit.lookup("hlsl"))
+    return kit.lookup(dialect)
+
+
+def test_the_table_is_what_direct_says(table):
+    tiling = tw.direct(tw.corner_tiles(3), SEEDS[1])
+    for (x, y), tile in list(zip(CELLS.tolist(), table[3, SEEDS[1]], strict=True))[::20]:
+        assert tiling.indices(x - 1, y - 1, 3, 3)[1, 1] == tile
+    assert len(np.unique(table[8, 0])) > 200
+
+
+@pytest.mark.parametrize("colors", range(1, 9))
+@pytest.mark.parametrize("dialect", ["wgsl", "glsl", "hlsl", "godot"])
+def test_a_dialect_finds_the_tiles_and_their_places(dialect, colors, table, device, tmp_path):
+    for seed in SEEDS:
+        array = lookups.lookup(dialect, colors, seed, 16, 2)
+        got = dialects.ask(device, dialect, array, CELLS, "tile", tmp_path)
+        np.testing.assert_array_equal(got, table[colors, seed])
+    if dialect == "godot" and colors == 2:
+        return  # 16 tiles are never an atlas there
+    atlas = lookups.lookup(dialect, colors, seed, 16, None)
+    got = dialects.ask(device, dialect, atlas, CELLS, "place", tmp_path)
+    np.testing.assert_array_equal(got, places(colors, table[colors, seed]))
+
+
+DRAWN = ("wgsl", "glsl", "hlsl", "unity")
+# Dialect, colors, and whether as an atlas; Unreal gets atlases only.
+ARRAYS = [(dialect, colors, False) for dialect in DRAWN for colors in (1, 3, 4)]
+FORMS = ARRAYS + [(dialect, colors, True) for dialect in (*DRAWN, "unreal") for colors in (2, 5, 6)]
+
+
+@pytest.mark.parametrize(("dialect", "colors", "atlas"), FORMS)
+def test_a_dialect_draws_the_pixels_of_the_field(dialect, colors, atlas, device, tmp_path):
+    material = handmade(tw.corner_tiles(colors), 16)
+    kit = prepare(material, 9, atlas=atlas)
+    levels, _ = kit.levels("map0")
+    field = tw.TextureField(material, tw.direct(material.tiles, seed=9))
+    for texel in ((-70, -37), (16 * 1000 + 3, -16 * 900000)):
+        drawn = dialects.draw(
+            device, dialect, include_of(dialect, kit), levels, 16, texel, (128, 96), tmp_path, atlas=atlas
+        )
+        np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 128, 96))
+
+
+@pytest.fixture(scope="module")
+def gravel_tiles(gravel):
+    """Tiles whose first mip levels are plain means up to their borders."""
+    made = tw.texture_tiles(gravel[:200, :200], tw.corner_tiles(2), tile_size=64, seed=1)
+    return dataclasses.replace(made, kinds=dict.fromkeys(made.maps, "data"))
+
+
+@pytest.mark.parametrize(("dialect", "atlas"), sorted({(dialect, atlas) for dialect, _, atlas in FORMS}))
+def test_gradients_do_not_break_at_tile_borders(dialect, atlas, device, gravel_tiles, tmp_path):
+    kit = prepare(gravel_tiles, 3, atlas=atlas)
+    assert kit.mipmaps(kit.material.main).clean >= 1
+    levels = [np.repeat(level[..., :1], 4, axis=-1) for level in kit.levels(kit.material.main)[0]]
+    # Two texels a pixel, so that quads of pixels lie across the borders of tiles.
+    drawn = dialects.draw(
+        device,
+        dialect,
+        include_of(dialect, kit),
+        levels,
+        64,
+        (-130, -66),
+        (128, 128),
+        tmp_path,
+        atlas=atlas,
+        step=2,
+    )
+    field = tw.TextureField(gravel_tiles, tw.direct(gravel_tiles.tiles, seed=3))
+    fine = field.render(-130, -66, 256, 256)[..., 0].astype(float)
+    mean = fine.reshape(128, 2, 128, 2).mean(axis=(1, 3))
+    assert np.abs(drawn[..., 0] - mean).max() <= 1
