@@ -126,7 +126,7 @@ def simulate_flow(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> Flow:
-    """Let particles walk over a tiling.
+    """Let particles walk over a tiling (Kaji et al. 2016, section 5).
 
     They are spread evenly over the lines that join neighboring centers. Each moves to the center of the
     next cell, with the speed of the cell that it is on. There it picks one of the ways of the cell's tile.

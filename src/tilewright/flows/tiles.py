@@ -76,7 +76,7 @@ def strew_tiles(
 ) -> tuple[NDArray[np.uint8], tuple[FlowTile, ...]]:
     """Make some cells emit, kill, slow down or speed up, by chance, without changing their ways.
 
-    A dappled tiling stays dappled as to the ways of its tiles.
+    A dappled tiling stays dappled as to the ways of its tiles. Kaji et al. 2016, section 6 (4).
 
     Parameters
     ----------

@@ -11,7 +11,7 @@ LARGEST_COUNT = 2**31 - 1
 
 
 def max_radius(count: int, box: Box) -> float:
-    """Radius of ``count`` disks in the densest packing: r_max of eq. 4.2, or of spheres in eq. 4.5.
+    """Radius of ``count`` disks in the densest packing: r_max of Lagae 2007, eq. 4.2, of spheres eq. 4.5.
 
     Half the distance of nearest points in a hexagonal lattice (a face-centered cubic one in three
     dimensions) with ``count`` points in the box.
@@ -40,7 +40,7 @@ def nearest_distances(points: ArrayLike, box: Box) -> NDArray[np.float64]:
 
 
 def relative_radius(points: ArrayLike, box: Box | None = None) -> float:
-    """rho = r / r_max, with r half the least distance of two points (eq. 4.3).
+    """rho = r / r_max, with r half the least distance of two points (Lagae 2007, eq. 4.3).
 
     Parameters
     ----------

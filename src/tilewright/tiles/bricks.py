@@ -22,7 +22,7 @@ HORIZONTAL, VERTICAL = 0, 1
 
 
 def brick_tiles(positions: int = 4) -> TileSet:
-    """The brick Wang tiles W over n positions: 2 n^2 (n - 1) of them.
+    """The brick Wang tiles W over n positions: 2 n^2 (n - 1) of them (Kaji et al. 2016, section 4).
 
     Parameters
     ----------

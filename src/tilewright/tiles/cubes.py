@@ -78,7 +78,10 @@ def corner_cubes(colors: int = 2) -> TileSet:
 
 
 def wang_cubes(colors: int = 2) -> TileSet:
-    """The complete set of Wang cubes, C^6, C from 1 to 16. Slots are the faces N, E, S, W, U, D."""
+    """The complete set of Wang cubes, C^6 (Lagae 2007, section 2.10), C from 1 to 16.
+
+    Slots are the faces N, E, S, W, U, D.
+    """
     return _complete(WANG_CUBE, check_colors(colors))
 
 

@@ -26,12 +26,12 @@ def as_corner_tiles(wang: TileSet, construction: str) -> TileSet:
     ----------
     wang : TileSet
     construction : str
-        ``"diagonal"``: a corner tile for every valid 2 x 2 block, colored by the Wang tiles themselves.
-        ``"horizontal"``: one for every two tiles side by side, colored by their N and S edges.
-        ``"vertical"``: one for every two tiles one above the other, colored by their E and W edges.
-        ``"rotation"``: one for every tile and one for the edges around every valid vertex, colored by edges.
+        ``"diagonal"`` (8.3.1): a corner tile for every valid 2 x 2 block, colored by the tiles themselves.
+        ``"horizontal"`` (8.3.2): one for every two tiles side by side, colored by their N and S edges.
+        ``"vertical"`` (8.3.2): one for every two tiles one above the other, colored by their E and W edges.
+        ``"rotation"`` (8.3.3): one for every tile and one for the edges at every vertex, colored by edges.
         The colors of N and S edges come first, those of E and W edges after them.
-        ``"subdivision"``: four for every tile, colored by its edges, the tile and one more color.
+        ``"subdivision"`` (8.3.4): four for every tile, colored by its edges, the tile and one more color.
 
     Returns
     -------

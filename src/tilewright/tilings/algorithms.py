@@ -53,7 +53,7 @@ class Lattice:
 
 
 def corners(at: Lattice) -> Colors:
-    """Complete corner sets: a hash at the lattice points (Lagae 2007, section 3.3.1)."""
+    """Complete corner sets: a hash at the lattice points (Lagae 2007, section 3.3.1, with y mirrored)."""
     return at.hash.grid(at.tiles.colors[0], _FIRST, *(at.points(a) for a in at.axes))
 
 

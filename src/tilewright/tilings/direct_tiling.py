@@ -119,8 +119,8 @@ def direct(
     Parameters
     ----------
     tiles : TileSet
-        Complete sets: corner tiles (Lagae & Dutré 2006, section 4.2), Wang tiles, dominoes, corner cubes,
-        Wang cubes, corner-coded sets. Compact sets: `corner_tiles` with ``choices``,
+        Complete sets: corner tiles (Lagae & Dutré 2006, section 4.2, with y mirrored), Wang tiles, dominoes,
+        corner cubes, Wang cubes, corner-coded sets. Compact sets: `corner_tiles` with ``choices``,
         `column_corner_tiles`, `summed_wang_tiles` (Lagae 2007, section 3.3.2.2), `shifted_wang_tiles`,
         `compact_corner_cubes`, `compact_wang_cubes` where C is a power of two, corner-coded sets over any of
         these Wang sets, Cohen's 8 tiles among them, and `crossed_wang_tiles`. Other sets have `scanline`.

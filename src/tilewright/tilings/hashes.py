@@ -46,7 +46,7 @@ class LatticeHash(ABC):
         """Colors 0 up to ``count`` at lattice points x (, y, z); the coordinates are broadcast.
 
         They are uint8, or uint16 for more than 256 colors: the word modulo ``count`` where that divides
-        `range` (Lagae 2007, section 3.4.2), else a number from several words, so that all colors are alike.
+        `range` (Lagae 2007, section 3.4.2.4), else a number from several words, so that all colors are alike.
         """
         if self.range % count_colors(count) == 0:
             return (self.words(stream, *point) % count).astype(slot_type((count,)))

@@ -58,6 +58,7 @@ def zone_plate(points: PointSet) -> ZonePlate:
     the domain; of a box that is no square, the square at its origin is used. Where the box is a torus, its
     points go on beyond the border, where the function is sampled too, so that border pixels have all their
     samples; on a plain box they have those inside only. Sums are made in the order of the points.
+    Lagae 2007, section 6.2.3.
 
     Parameters
     ----------

@@ -36,7 +36,7 @@ def spectrum_size(count: int) -> int:
 
 
 def periodogram(points: PointSet, size: int | None = None) -> NDArray[np.float64]:
-    """|sum over the points x of exp(-2 pi i f . x)|^2 / N (eq. 6.1, times N).
+    """|sum over the points x of exp(-2 pi i f . x)|^2 / N (Lagae 2007, eq. 6.1, times N).
 
     White noise has the mean power 1, and frequency 0 the power N. The frequencies are whole numbers of
     periods across the box, which is exact on a torus. On a plain box they give an estimate: sparse or
@@ -64,7 +64,7 @@ def periodogram(points: PointSet, size: int | None = None) -> NDArray[np.float64
 
 @dataclass(frozen=True, eq=False)
 class Spectrum:
-    """The estimated power spectrum of a method of making points.
+    """The estimated power spectrum of a method of making points (Lagae 2007, section 6.2.2).
 
     Frequencies are in periods in the square root of the box's area, so whole numbers for the unit square.
 

@@ -107,7 +107,7 @@ def draw_jigsaw(
     picture: str | os.PathLike[str] | None = None,
     engrave: str = "none",
 ) -> str:
-    """A jigsaw puzzle as an SVG drawing in millimeters.
+    """A jigsaw puzzle as an SVG drawing in millimeters (Lagae 2007, section 5.5.4).
 
     Its layers are the groups ``picture`` (to print), ``engrave`` (to engrave) and ``cut`` (thin red
     lines, every one once, those of the pieces first, the frame's outside last).

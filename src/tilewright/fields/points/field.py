@@ -227,7 +227,7 @@ class PointField:
             yield self._lay(self._view(piece), density, local, None)[0]
 
     def nearest(self, positions: ArrayLike) -> tuple[NDArray[np.float64], PointWindow]:
-        """The nearest point of the field to each position.
+        """The nearest point of the field to each position (Lagae 2007, section 7.6.2).
 
         Parameters
         ----------

@@ -58,7 +58,7 @@ def closest_dapple(
     seconds: float | None = None,
     progress: Progress | None = None,
 ) -> Closest:
-    """The dappled tiling that differs from a tiling in the fewest cells.
+    """The dappled tiling that differs from a tiling in the fewest cells (Kaji et al. 2016, section 6 (3)).
 
     Up to 128 x 128 cells the solver (HiGHS) sees all at once and proves that nothing is closer. Beyond, it
     improves the tiling of `dapple` window by window, and the bound is the sum of what disjoint windows need

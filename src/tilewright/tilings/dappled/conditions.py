@@ -49,7 +49,7 @@ class Conditions:
     ----------
     limits : mapping of str to longest run
         ``"H0"`` limits horizontal runs of tile 0, ``"V1"`` vertical runs of tile 1 (H_t^p and V_t^q of Kaji
-        et al. 2016, definition 1.1), ``"H0+2"`` horizontal runs made of tiles 0 and 2 (H_tau^p, section 6).
+        et al. 2016, definition 1.1), ``"H0+2"`` horizontal runs of tiles 0 and 2 (H_tau^p, section 6 (2)).
         A longest run is a number from 0 on, `math.inf`, an array ``(height, width)`` or a function of x and
         y: what may end at that cell, looking west or north (section 3.1).
     tiles : int, optional

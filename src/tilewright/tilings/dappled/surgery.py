@@ -19,7 +19,7 @@ def rectify(
     cyclic: bool = False,
     tiles: int | None = None,
 ) -> Cells:
-    """The dappled tiling that the paper's algorithms make of a tiling.
+    """The dappled tiling that the algorithms of Kaji et al. 2016 make of a tiling.
 
     Algorithm 1 goes over cells by x + y and mends each that ends too long a run; a tiling that is dappled
     already comes back as it is. Algorithm 2 (``cyclic``) closes rows and columns to rings; it changes tilings

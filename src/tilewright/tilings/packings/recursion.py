@@ -44,7 +44,7 @@ def recursive_packing(tiles: TileSet) -> Tiling:
     """A packing of a complete set whose north-west part is the one over a color less, and so on down.
 
     For Wang tiles over any number of colors in closed form (Wei's trains nest), for corner tiles over up to
-    4 from a table.
+    4 from a table (Lagae 2007, section 5.5.3, has another one).
 
     Parameters
     ----------
