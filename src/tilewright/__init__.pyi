@@ -77,6 +77,9 @@ from .export import (
     save_atlas as save_atlas,
 )
 from .export import (
+    save_flow as save_flow,
+)
+from .export import (
     save_for_engine as save_for_engine,
 )
 from .export import (

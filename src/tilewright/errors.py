@@ -12,6 +12,10 @@ Progress = Callable[[int, int, str], None]
 class TilewrightError(Exception):
     """Base of every error raised on purpose by tilewright."""
 
+    def told(self, name_of: Callable[[str], str] = str) -> str:
+        """The message, with arguments called as ``name_of`` says."""
+        return str(self)
+
 
 class TilewrightValueError(TilewrightError, ValueError):
     """An argument of the right type has a value that cannot be used."""

@@ -6,10 +6,9 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-import typer
 
+import commands
 import tilewright as tw
-from tilewright.cli import dapple
 from tilewright.errors import TilewrightError
 from tilewright.export.drawing.cells import draw_cells, paint_cells
 from tilewright.files import read_image, write_image
@@ -19,9 +18,7 @@ PAPER = {"H0": 2, "V1": 2}
 
 
 def call(*arguments):
-    app = typer.Typer(rich_markup_mode=None)
-    app.command()(dapple.command)
-    app([str(a) for a in arguments], standalone_mode=False)
+    commands.call("dapple", *arguments)
 
 
 @pytest.fixture
@@ -183,7 +180,7 @@ def test_arcs_and_strokes_join_what_they_should():
     ("arguments", "message"),
     [
         (["--closest", "--endless"], "--closest has no use with --endless"),
-        (["--count", "-o", "a.png"], "-o has no use with --count"),
+        (["--count", "-o", "a.png"], "--output has no use with --count"),
         (["-o", "a.cnf", "--input", "a.png"], "--input has no use with a .cnf file"),
         (["-x", "3"], "--x is about --endless"),
         (["--dither"], "give --input"),

@@ -42,7 +42,7 @@ REFUSED = {
     "weight of none": (("texture", "g.png", "-o", "t", "--weight", "foo=1"), "'foo'; allowed are albedo"),
     "weights 0": (("texture", "g.png", "-o", "t", "--weight", "albedo=0"), "at least one map must count"),
     "twice": (("texture", "g.png", "-o", "t", "--map", "albedo=g.png"), "albedo is given twice"),
-    "from and more": (("texture", "--from", "set", "-o", "t", "--seed", 9), "leave out seed"),
+    "from and more": (("texture", "--from", "set", "-o", "t", "--seed", 9), "--seed has no use with --from"),
     "method": (("texture", "g.png", "-o", "t", "--method", ""), "method is ''"),
     "sheet": (("analyze", "set", "-o", "notes"), "the sheet's suffix is ''"),
     "sheet kind": (("analyze", "set", "-o", "a.npy"), "the sheet's suffix is '.npy'"),

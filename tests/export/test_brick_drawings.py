@@ -5,11 +5,10 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
-import typer
 from typer.testing import CliRunner
 
 import tilewright as tw
-from tilewright.cli import bricks
+from tilewright.cli.main import app
 from tilewright.errors import TilewrightError
 from tilewright.export.drawing.walls import draw_wall
 from tilewright.fields import TextureField
@@ -143,9 +142,7 @@ def test_a_folder_holds_all_maps(tmp_path):
 
 
 def call(*arguments):
-    program = typer.Typer()
-    program.command()(bricks.command)
-    return CliRunner().invoke(program, [str(a) for a in arguments])
+    return CliRunner().invoke(app, ["bricks", *map(str, arguments)])
 
 
 def test_the_command_writes_what_the_name_says(tmp_path):

@@ -7,10 +7,9 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-import typer
 
+import commands
 import tilewright as tw
-from tilewright.cli import aperiodic
 from tilewright.errors import TilewrightError, TilewrightWarning
 from tilewright.export.drawing.tiles import color_of, draw_tiles, draw_tiling, paint_tiles, paint_tiling
 from tilewright.tiles import corner_coded_tiles, corner_tiles, crossed_wang_tiles, dominoes, wang_tiles
@@ -35,9 +34,7 @@ def read(drawing):
 
 
 def call(*arguments):
-    app = typer.Typer(rich_markup_mode=None)
-    app.command()(aperiodic.command)
-    app([str(a) for a in arguments], standalone_mode=False)
+    commands.call("aperiodic", *arguments)
 
 
 def test_colors_are_told_apart():

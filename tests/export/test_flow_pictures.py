@@ -4,11 +4,10 @@ import json
 
 import numpy as np
 import pytest
-import typer
 from PIL import Image
 
+import commands
 import tilewright as tw
-from tilewright.cli import flow as command
 from tilewright.errors import TilewrightError
 from tilewright.export.drawing import flows as animation
 from tilewright.export.drawing.flows import draw_density, draw_trails, save_animation
@@ -20,9 +19,7 @@ HUES = [bytes.fromhex(hue[1:]) for hue in animation._HUES["direction"]]
 
 
 def call(*arguments):
-    app = typer.Typer(rich_markup_mode=None)
-    app.command()(command.command)
-    app([str(a) for a in arguments], standalone_mode=False)
+    commands.call("flow", *arguments)
 
 
 @pytest.fixture(scope="module")
@@ -234,7 +231,7 @@ def test_the_command_follows_a_picture_and_draws_maps(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("-o", "a.mp4"), "the ending of -o is '.mp4'"),
+        (("-o", "a.mp4"), "--output is a.mp4, which ends in '.mp4'"),
         (("--limit", "H2=2"), "--limit is 'H2'; allowed are H0, V0, H1, V1"),
         (("--limit", "H0=x"), "--limit H0 is 'x'"),
         (("-o", "a.npz", "--fps", 3), "--fps has no use with a .npz file"),

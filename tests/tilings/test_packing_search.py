@@ -245,7 +245,7 @@ def test_the_command(tmp_path, capsys, monkeypatch):
     for arguments, message in (
         (("--colors", 3, "--count"), "packings are counted for up to 16"),
         (("--method", "luck", "-o", file), "allowed are closed, search, recursive"),
-        (("-o", tmp_path / "p.gif"), "expected .npy, .svg or .png"),
+        (("-o", tmp_path / "p.gif"), "allowed are .npy, .svg, .png"),
         (("--picture", "a.png", "-o", file), "give it with -o FILE.svg"),
     ):
         code, said = call("pack", *arguments)

@@ -5,8 +5,8 @@ from typing import Annotated
 
 import typer
 
-from tilewright.cli.options import Json, Seed, progress_bar, report
-from tilewright.errors import TilewrightValueError
+from tilewright.cli.options import Json, Seed
+from tilewright.cli.performing import perform
 
 
 def command(
@@ -32,21 +32,4 @@ def command(
     Calls tilewright.analyze(tilewright.load(folder), seed=seed), or of tilewright.read_points(file, box), and
     its save_sheet(path).
     """
-    from tilewright.analysis import analyze
-    from tilewright.analysis.sheets import check_sheet
-    from tilewright.files import load, read_points
-    from tilewright.samplers import Box
-
-    if output is not None:
-        check_sheet(output)
-    if (width is None) != (height is None):
-        raise TilewrightValueError("--width and --height go together")
-    box = None if width is None or height is None else Box((width, height), torus)
-    if torus and box is None:
-        box = Box()
-    material = load(source) if source.is_dir() or not source.suffix else read_points(source, box)
-    with progress_bar() as progress:
-        found = analyze(material, seed=seed, progress=progress)
-    if output is not None:
-        found.save_sheet(output)
-    report(found.figures, json, str(found))
+    perform("AnalyzeJob", locals())

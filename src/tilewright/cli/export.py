@@ -5,11 +5,8 @@ from typing import Annotated
 
 import typer
 
-from tilewright.checks import check_choice
-from tilewright.cli.options import Folder, Json, LatticeSeed, Map, Seed, report
-from tilewright.errors import TilewrightValueError
-
-_PICTURES = (".png", ".tif", ".tiff", ".exr", ".jpg", ".jpeg", ".bmp", ".tga", ".webp")
+from tilewright.cli.options import Folder, Json, LatticeSeed, Map, Seed
+from tilewright.cli.performing import perform
 
 
 def command(
@@ -40,21 +37,4 @@ def command(
     tilewright.save_atlas(material, path, map=map) or tilewright.save_array(material, path, map=map).
     Nothing here depends on --seed: it is the seed of construction.
     """
-    from tilewright.export import TARGETS, save_array, save_atlas, save_for_engine
-    from tilewright.files import load_texture
-
-    if output.suffix.lower() in _PICTURES:
-        write = {"array": save_array, "atlas": save_atlas}[check_choice("--to", to, ("array", "atlas"))]
-        write(load_texture(folder), output, map=map)
-        report({"file": str(output), "bytes": output.stat().st_size}, json, f"{output}")
-        return
-    if map is not None:
-        raise TilewrightValueError("--map is for a picture, -o FILE.png; a folder holds all maps")
-    save_for_engine(load_texture(folder), output, check_choice("--to", to, TARGETS), seed=lattice_seed)
-    files = [path for path in output.rglob("*") if path.is_file()]
-    size = sum(path.stat().st_size for path in files)
-    report(
-        {"folder": str(output), "files": len(files), "bytes": size},
-        json,
-        f"{output}: {len(files)} files, {size / 1e6:.1f} MB; begin with {output / 'README.md'}",
-    )
+    perform("ExportJob", locals())

@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 import warnings
+from collections.abc import Callable
 from typing import Annotated
 
 import typer
@@ -23,7 +24,7 @@ from tilewright.cli import (
     texture,
     view,
 )
-from tilewright.cli.options import Ending
+from tilewright.cli.performing import Ending
 from tilewright.errors import TilewrightError, TilewrightWarning
 
 _INTERRUPTED = 130
@@ -100,7 +101,7 @@ def run(arguments: list[str] | None = None) -> None:
         if code == _INTERRUPTED:
             _say("stopped")
     except TilewrightError as error:
-        code = _say(str(error))
+        code = _say(error.told(names_of(sys.argv[1:] if arguments is None else arguments)))
     except MemoryError:
         code = _say("not enough memory; ask for a smaller tile size, fewer colors or a smaller window")
     except (KeyboardInterrupt, typer.Abort):
@@ -118,6 +119,17 @@ def run(arguments: list[str] | None = None) -> None:
             raise
         code = _say(message())
     sys.exit(code if isinstance(code, int) else 0)
+
+
+def names_of(arguments: list[str]) -> Callable[[str], str]:
+    """What the options of the command that was called are called on the command line."""
+    known = typer.main.get_command(app).commands  # type: ignore[attr-defined]
+    command = next((known[word] for word in arguments if word in known), None)
+    names = {
+        one.name: max(one.opts, key=len) if one.opts[0].startswith("-") else one.name.upper()
+        for one in (command.params if command else ())
+    }
+    return lambda name: str(names.get(name, name))
 
 
 def _say(message: str, code: int = 2) -> int:

@@ -1,92 +1,84 @@
-"""What several commands share: options, progress on stderr, one JSON object on stdout."""
+"""What commands share: their common options, and texts that become values."""
 
-import json
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
-from math import inf, isfinite
+from math import inf
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
-from tilewright.errors import Progress, TilewrightValueError
+from tilewright.errors import TilewrightError, TilewrightTypeError, TilewrightValueError
 
 Folder = Annotated[
     Path, typer.Argument(help="A tile-set folder made by `tilewright texture`.", show_default=False)
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object of the figures on stdout.")]
-Seed = Annotated[int, typer.Option("--seed", help="Seed of construction.")]
-LatticeSeed = Annotated[int, typer.Option("--lattice-seed", help="Seed of the direct tiling.")]
-Map = Annotated[str | None, typer.Option("--map", help="Which map; the main one by default.")]
+Seed = Annotated[int, typer.Option("--seed", help="Seed of construction; default 0.", show_default=False)]
+LatticeSeed = Annotated[
+    int, typer.Option("--lattice-seed", help="Seed of the direct tiling; default 0.", show_default=False)
+]
+Map = Annotated[
+    str | None, typer.Option("--map", help="Which map; default the main one.", show_default=False)
+]
 
 
-def report(figures: dict[str, Any], as_json: bool, text: str) -> None:
-    """Print what a command did: figures for programs, or a line for people."""
-    finite = {n: None if isinstance(v, float) and not isfinite(v) else v for n, v in figures.items()}
-    print(json.dumps(finite) if as_json else text)
-
-
-class Ending:
-    """Whether a signal asked the program to end.
-
-    The exception a signal raises is lost when it meets a callback of a C library, so long work asks here.
-    """
-
-    asked = False
-
-    @classmethod
-    def ask(cls, number: int, frame: object) -> None:
-        """Handle a signal: end as an interrupt does, so that what is half-written is removed."""
-        if cls.asked:
-            return  # it is ending already
-        cls.asked = True
-        raise KeyboardInterrupt
-
-    @classmethod
-    def check(cls, done: int, total: int, what: str) -> None:
-        """Progress that shows nothing and ends where that was asked for."""
-        if cls.asked:
-            raise KeyboardInterrupt
-
-
-@contextmanager
-def progress_bar() -> Iterator[Progress]:
-    """A progress bar on stderr; nothing where stderr is not a terminal."""
-    if not sys.stderr.isatty():
-        yield Ending.check
-        return
-    from rich.console import Console
-    from rich.progress import Progress as Bar
-
-    with Bar(console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=None)
-
-        def update(done: int, total: int, what: str) -> None:
-            Ending.check(done, total, what)
-            bar.update(task, completed=done, total=total, description=what)
-
-        yield update
-
-
-def parse_limits(given: list[str]) -> dict[str, int | float]:
-    """``--limit NAME=NUMBER`` as limits of runs; the number may be inf."""
-    limits: dict[str, int | float] = {}
-    for name, most in parse_pairs("--limit", given).items():
-        if most != "inf" and not (most.isascii() and most.isdigit() and len(most) < 10):
-            raise TilewrightValueError(f"--limit {name} is {most!r}; allowed are 0, 1, 2, ... and inf")
-        limits[name] = inf if most == "inf" else int(most)
-    return limits
-
-
-def parse_pairs(option: str, given: list[str]) -> dict[str, str]:
-    """``NAME=VALUE`` pairs as a dict."""
-    pairs = {}
-    for item in given:
+def parse_pairs(option: str, given: list[str] | None) -> dict[str, str] | None:
+    """``NAME=VALUE`` pairs as a dict; None where there are none."""
+    pairs: dict[str, str] = {}
+    for item in given or ():
         name, equals, value = item.partition("=")
         if not (name and equals and value):
             raise TilewrightValueError(f"{option} is {item!r}; expected NAME=VALUE")
         if name in pairs:
             raise TilewrightValueError(f"{option} names {name!r} twice")
         pairs[name] = value
-    return pairs
+    return pairs or None
+
+
+def parse_limits(given: list[str] | None) -> dict[str, float] | None:
+    """``--limit NAME=NUMBER`` as limits of runs; the number may be inf."""
+    limits: dict[str, float] = {}
+    for name, most in (parse_pairs("--limit", given) or {}).items():
+        if most != "inf" and not (most.isascii() and most.isdigit() and len(most) < 10):
+            raise TilewrightValueError(f"--limit {name} is {most!r}; allowed are 0, 1, 2, ... and inf")
+        limits[name] = inf if most == "inf" else int(most)
+    return limits or None
+
+
+def parse_weights(given: list[str] | None) -> dict[str, float] | None:
+    """``--weight NAME=NUMBER``."""
+    pairs = parse_pairs("--weight", given)
+    return None if pairs is None else {name: _number(name, text) for name, text in pairs.items()}
+
+
+def _number(name: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise TilewrightTypeError(f"--weight {name} is {text!r}; expected a number") from None
+
+
+def parse_spots(given: list[str] | None) -> dict[str, tuple[int, int, int]] | None:
+    """``--pick NAME=SOURCE,Y,X``: places in sources by the names of patches."""
+    pairs = parse_pairs("--pick", given)
+    return None if pairs is None else {name: _spot(name, text) for name, text in pairs.items()}
+
+
+def _spot(name: str, text: str) -> tuple[int, int, int]:
+    try:
+        source, y, x = (int(v) for v in text.split(","))
+    except ValueError:
+        raise TilewrightError(f"--pick {name} is {text!r}; expected SOURCE,Y,X as whole numbers") from None
+    return source, y, x
+
+
+def parse_size(text: str) -> int | str:
+    """``--tile-size`` in pixels, or auto."""
+    try:
+        return text if text == "auto" else int(text)
+    except ValueError:
+        raise TilewrightTypeError(f"--tile-size is {text!r}; expected a number of pixels or auto") from None
+
+
+def parse_list(text: str | None) -> list[str] | None:
+    """Words with commas between."""
+    return None if text is None else [word.strip() for word in text.split(",")]

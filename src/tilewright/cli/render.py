@@ -1,15 +1,12 @@
 """tilewright render"""
 
-import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-from tilewright.cli.options import Folder, Json, LatticeSeed, Map, Seed, progress_bar, report
-
-if TYPE_CHECKING:
-    from tilewright.tilings import Tiling
+from tilewright.cli.options import Folder, Json, LatticeSeed, Map, Seed
+from tilewright.cli.performing import perform
 
 
 def command(
@@ -41,23 +38,4 @@ def command(
     starts at cell (0, 0) where it has not. With --density it is tilewright.density_tiling(material.tiles,
     gray, ...). Nothing here depends on --seed: it is the seed of construction.
     """
-    from tilewright.fields import TextureField
-    from tilewright.files import load_texture, read_image
-    from tilewright.tilings import density_tiling, stochastic
-
-    started = time.perf_counter()
-    material = load_texture(folder)
-    if density is not None:
-        gray = read_image(density)
-        tiling: Tiling = density_tiling(material.tiles, gray, lattice_seed, cells_per_pixel=cells_per_pixel)
-    else:
-        right, bottom = (max(1, -(-end // material.tile_size)) for end in (x + width, y + height))
-        tiling = stochastic(material.tiles, right, bottom, lattice_seed)
-    with progress_bar() as progress:
-        TextureField(material, tiling).save(output, x, y, width, height, map=map, progress=progress)
-    seconds = time.perf_counter() - started
-    report(
-        {"file": str(output), "width": width, "height": height, "seconds": round(seconds, 3)},
-        json,
-        f"{output}: {width} x {height} pixels in {seconds:.1f} s",
-    )
+    perform("RenderJob", locals())

@@ -1,18 +1,15 @@
 """tilewright texture"""
 
-import time
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
-from tilewright.checks import check_choice
-from tilewright.cli.options import Json, Seed, parse_pairs, progress_bar, report
-from tilewright.errors import TilewrightError, TilewrightTypeError, TilewrightValueError
+from tilewright.cli.options import Json, Seed, parse_pairs, parse_size, parse_spots, parse_weights
+from tilewright.cli.performing import perform
 
 
 def command(
-    context: typer.Context,
     photo: Annotated[
         Path | None,
         typer.Argument(
@@ -71,135 +68,14 @@ def command(
     Calls tilewright.texture_tiles(photo, tiles, ...) and tilewright.save(material, folder); with --from
     tilewright.resynthesize(material, reject=..., pick=...); with --like tilewright.add_maps(material, maps).
     """
-    from tilewright.files import load_texture, save
-    from tilewright.files.tileset_folder import check_savable
-    from tilewright.jobs import add_maps, texture_tiles
-    from tilewright.signals.textures import resynthesize
-
-    started = time.perf_counter()
-    output = output or like or Path("tiles")
-    check_savable(output)
-    picked = {name: _spot(name, value) for name, value in parse_pairs("--pick", pick or []).items()}
-    meaning: dict[str, Any] = {
-        "kinds": parse_pairs("--kind", kind or []),
-        "normal": normal,
-        "flatten": flatten,
-    }
-    with progress_bar() as progress:
-        if from_ is not None:
-            _refuse_others(context, "--from makes the old set again, with its photograph and settings", _FROM)
-            material = resynthesize(
-                load_texture(from_), reject=reject or [], pick=picked, threads=threads, progress=progress
-            )
-        elif like is not None:
-            _refuse_others(context, "--like cuts as the old set was cut", _LIKE)
-            if not map:
-                raise TilewrightValueError("--like cuts further maps; give them with --map NAME=FILE")
-            added = parse_pairs("--map", map)
-            if second is not None and len(added) > 1:
-                raise TilewrightValueError(
-                    "--second is the second photograph of one map; give one --map at a time"
-                )
-            seconds_of = None if second is None else dict.fromkeys(added, str(second))
-            material = add_maps(load_texture(like), added, second=seconds_of, **meaning)
-        else:
-            if reject:
-                raise TilewrightValueError("--reject names patches of a set that exists; give it with --from")
-            material = texture_tiles(
-                _maps(photo, map or []),
-                _tile_set(tiles, colors, second is not None),
-                second=second,
-                mask=mask,
-                weights={n: _number(n, v) for n, v in parse_pairs("--weight", weight or []).items()},
-                tile_size=tile_size if tile_size == "auto" else _size(tile_size),
-                seed=seed,
-                method=method,
-                pick=picked,
-                threads=threads,
-                progress=progress,
-                **meaning,
-            )
-    save(material, output)
-    seconds = time.perf_counter() - started
-    figures = {
-        "folder": str(output),
-        "tiles": len(material.tiles),
-        "tile_size": material.tile_size,
-        "maps": list(material.maps),
-        "kinds": material.kinds,
-        "method": material.recipe["method"],
-        "seed": material.recipe["seed"],
-        "seconds": round(seconds, 3),
-    }
-    report(
-        figures,
-        json,
-        f"{output}: {len(material.tiles)} {material.tiles.shape.name} tiles of {material.tile_size} x "
-        f"{material.tile_size} pixels in {seconds:.1f} s",
+    perform(
+        "TextureJob",
+        locals()
+        | {
+            "tile_size": parse_size(tile_size),
+            "map": parse_pairs("--map", map),
+            "weight": parse_weights(weight),
+            "kind": parse_pairs("--kind", kind),
+            "pick": parse_spots(pick),
+        },
     )
-
-
-_FROM = {"from_", "output", "reject", "pick", "threads", "json"}
-_LIKE = {"like", "output", "map", "second", "kind", "normal", "flatten", "json"}
-
-
-def _refuse_others(context: typer.Context, reason: str, allowed: set[str]) -> None:
-    """Refuse options that would not be heard."""
-    sources = ((name, context.get_parameter_source(name)) for name in context.params)
-    given = {name for name, source in sources if source is not None and source.name == "COMMANDLINE"}
-    if others := given - allowed:
-        raise TilewrightValueError(f"{reason}; leave out {', '.join(sorted(others))}")
-
-
-def _maps(photo: Path | None, given: list[str]) -> Any:
-    """The photograph, its maps by name, or both."""
-    maps = parse_pairs("--map", given)
-    if photo is None and not maps:
-        raise TilewrightValueError(
-            "PHOTO is missing; give a photograph, a folder of maps, or --map NAME=FILE"
-        )
-    if photo is None or not maps:
-        return maps or photo
-    if photo.is_dir():
-        from tilewright.files import find_maps
-
-        return {name: str(file) for name, file in find_maps(photo).items()} | maps
-    if "albedo" in maps:
-        raise TilewrightValueError("albedo is given twice, as PHOTO and by --map; leave one out")
-    return {"albedo": str(photo)} | maps
-
-
-def _tile_set(kind: str, colors: int | None, two_sources: bool) -> Any:
-    from tilewright.tiles import cohen_tiles, corner_coded_tiles, corner_tiles, wang_tiles
-
-    kinds = ("corner", "wang", "cohen-8", "cohen-12", "cohen-18", "corner-coded")
-    check_choice("--tiles", kind, kinds)
-    if colors is not None and kind not in ("corner", "wang"):
-        raise TilewrightValueError(f"--colors goes with --tiles corner and wang; {kind} has its own")
-    if kind == "wang":
-        return wang_tiles(2 if colors is None else colors)
-    if kind == "corner":
-        return corner_tiles((4 if two_sources else 2) if colors is None else colors)
-    return corner_coded_tiles() if kind == "corner-coded" else cohen_tiles(int(kind.removeprefix("cohen-")))
-
-
-def _size(text: str) -> int:
-    try:
-        return int(text)
-    except ValueError:
-        raise TilewrightTypeError(f"--tile-size is {text!r}; expected a number of pixels or auto") from None
-
-
-def _number(name: str, text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise TilewrightTypeError(f"--weight {name} is {text!r}; expected a number") from None
-
-
-def _spot(name: str, text: str) -> tuple[int, int, int]:
-    try:
-        source, y, x = (int(v) for v in text.split(","))
-    except ValueError:
-        raise TilewrightError(f"--pick {name} is {text!r}; expected SOURCE,Y,X as whole numbers") from None
-    return source, y, x

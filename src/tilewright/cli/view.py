@@ -5,7 +5,8 @@ from typing import Annotated
 
 import typer
 
-from tilewright.cli.options import Folder, Json, LatticeSeed, Seed, progress_bar, report
+from tilewright.cli.options import Folder, Json, LatticeSeed, Seed
+from tilewright.cli.performing import perform
 
 
 def command(
@@ -31,16 +32,4 @@ def command(
     Calls tilewright.save_viewer(material, path, seed=lattice_seed); with --compare, and with compare=
     tilewright.compare_textures(material, seed=lattice_seed), whose figures --json prints.
     """
-    from tilewright.analysis import compare_textures
-    from tilewright.export import save_viewer
-    from tilewright.export.viewer.page import check_page
-    from tilewright.files import load_texture
-
-    check_page(output)
-    material = load_texture(folder)
-    with progress_bar() as progress:
-        compared = compare_textures(material, seed=lattice_seed, progress=progress) if compare else None
-    save_viewer(material, output, seed=lattice_seed, compare=compared)
-    size = output.stat().st_size
-    figures = {"file": str(output), "bytes": size} | ({"methods": compared.figures} if compared else {})
-    report(figures, json, f"{output}: {size / 1e6:.1f} MB")
+    perform("ViewJob", locals())

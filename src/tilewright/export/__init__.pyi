@@ -13,6 +13,9 @@ from .engines import (
 from .engines import (
     save_for_engine as save_for_engine,
 )
+from .flow_arrays import (
+    save_flow as save_flow,
+)
 from .ktx2 import (
     write_ktx2 as write_ktx2,
 )

@@ -59,6 +59,31 @@ class Flow:
         """Bool array, shape (frames, capacity)."""
         return self.ways < NOBODY
 
+    @property
+    def figures(self) -> dict[str, int | float | None]:
+        """What the run is told by: its size, how many were born, killed, left and alive, and visits to cells.
+
+        ``visits`` is the mean number of visits to a cell, ``variation`` their standard deviation over it, and
+        ``unvisited`` the share of cells where no particle set out.
+        """
+        height, width = self.cells.shape
+        visits = self.visits()
+        mean = float(visits.mean())
+        return {
+            "width": width,
+            "height": height,
+            "steps": int(self.times[-1]),
+            "frames": len(self.times),
+            "start": int(self.alive[0].sum()),
+            "born": int(self.born[-1]),
+            "killed": int(self.killed[-1]),
+            "left": int(self.left[-1]),
+            "alive": int(self.alive[-1].sum()),
+            "visits": round(mean, 4),
+            "variation": round(float(visits.std()) / mean, 4) if mean else None,
+            "unvisited": round(float((visits == 0).mean()), 4),
+        }
+
     def visits(self) -> NDArray[np.int64]:
         """How often a particle set out from the center of each cell, int64 (height, width)."""
         return np.asarray(self.departures.sum(axis=2))

@@ -1,3 +1,16 @@
+from .analyze import AnalyzeJob as AnalyzeJob
+from .aperiodic import AperiodicJob as AperiodicJob
+from .bricks import BricksJob as BricksJob
+from .compare import CompareJob as CompareJob
+from .dapple import DappleJob as DappleJob
+from .export import ExportJob as ExportJob
+from .flow import FlowJob as FlowJob
+from .job import (
+    Done as Done,
+)
+from .job import (
+    Job as Job,
+)
 from .materials import (
     add_maps as add_maps,
 )
@@ -7,3 +20,8 @@ from .materials import (
 from .materials import (
     texture_tiles as texture_tiles,
 )
+from .pack import PackJob as PackJob
+from .points import PointsJob as PointsJob
+from .render import RenderJob as RenderJob
+from .texture import TextureJob as TextureJob
+from .view import ViewJob as ViewJob

@@ -370,7 +370,7 @@ def test_the_commands(tmp_path, surface, capsys):
     assert tw.load(folder).kinds["emissive"] == "color"
     for arguments, message in (
         (("--like", folder), "give them with --map"),
-        (("--like", folder, "--seed", 3), "leave out seed"),
+        (("--like", folder, "--seed", 3), "--seed has no use with --like"),
         ((tmp_path, "--kind", "height=x", *small), "kind of map 'height' is 'x'"),
         ((tmp_path / "x_albedo.png", "--normal", "gl", *small), "none of the maps holds normals"),
     ):

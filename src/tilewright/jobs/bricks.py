@@ -1,0 +1,237 @@
+"""The job of the command ``bricks``: walls of bricks, drawn, as maps or as tiles."""
+
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from tilewright.checks import check_choice, check_int
+from tilewright.errors import Progress, TilewrightFileError, TilewrightValueError
+from tilewright.jobs.job import Clash, Done, Job, Rule, useless
+from tilewright.jobs.saving import save_array
+from tilewright.seeds import check_seed
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from tilewright.fields import BrickField
+    from tilewright.fields.bricks.patterns import BrickPattern
+    from tilewright.tilings import Tiling
+    from tilewright.tilings.bricks import BrickRegion
+
+    Wall = Tiling | BrickRegion | BrickPattern
+
+_MOST_CELLS = 2**24
+_LOOK = ("colors", "mortar", "bevel", "map", "size")
+_CLASH = "ask for different walls; give one of them"
+
+
+@dataclass(frozen=True, kw_only=True)
+class BricksJob(Job):
+    """Lay a wall of bricks and draw it; or write its maps, or its tiles.
+
+    Attributes
+    ----------
+    output : Path
+        ``.png``, ``.tif``: a picture of ``map``; ``.svg``: bricks, or joints with ``lines``; ``.npy``: tiles;
+        without a suffix: a folder of all maps.
+    width, height : int, optional
+        Cells; 12 x 20, or the size of the region, by default.
+    x, y : int
+        First cell, of walls that go on.
+    pattern : str
+        ``"wang"``, ``"running-bond"``, ``"flemish-bond"``, ``"herringbone"`` or ``"basket-weave"``.
+    positions, longest
+        Where joints may meet an edge; the most cells a joint runs along x and along y.
+    input : Path, optional
+        A picture to follow.
+    cyclic : bool
+        The wall closes, so that it can be repeated.
+    mask, boundary : Path, optional
+        A region, as a picture; positions asked for, as a ``.npz`` file.
+    size, colors, mortar, bevel, map, lines
+        The look; see `BrickField` and `BrickStyle`.
+    seed : int
+    """
+
+    output: Path = Path("wall.png")
+    width: int | None = None
+    height: int | None = None
+    x: int = 0
+    y: int = 0
+    pattern: str = "wang"
+    positions: int = 3
+    longest: tuple[int, int] = (3, 3)
+    input: Path | None = None
+    cyclic: bool = False
+    mask: Path | None = None
+    boundary: Path | None = None
+    size: tuple[int, int] = (144, 48)
+    colors: str = "red"
+    mortar: int | None = None
+    bevel: float | None = None
+    map: str | None = None
+    lines: bool = False
+    seed: int = 0
+
+    RULES: ClassVar[tuple[Rule[Any], ...]] = (
+        Rule(lambda job: job.is_region and job.input, f"a region and {{input}} {_CLASH}"),
+        Rule(lambda job: job.is_region and job.cyclic, f"a region and {{cyclic}} {_CLASH}"),
+        Rule(lambda job: job.is_region and job.given("pattern"), f"a region and {{pattern}} {_CLASH}"),
+        Rule(lambda job: job.given("pattern") and job.input, f"{{pattern}} and {{input}} {_CLASH}"),
+        *useless(lambda job: job.given("pattern"), "a bond ({pattern})", "positions", "longest"),
+        *useless(lambda job: job.kind == ".npy", "a .npy file, which holds tiles", *_LOOK),
+        *useless(lambda job: job.kind in ("", ".svg"), "a folder of all maps or an SVG", "map"),
+        Rule(lambda job: job.lines and job.kind != ".svg", "{lines} is about an SVG; name a FILE.svg"),
+    )
+
+    @property
+    def kind(self) -> str:
+        """The suffix of the file; nothing for a folder."""
+        return self.output.suffix.lower()
+
+    @property
+    def is_region(self) -> bool:
+        """Whether the wall has a shape of its own."""
+        return self.mask is not None or self.boundary is not None
+
+    def run(self, progress: Progress | None = None) -> Done:
+        """Lay and draw."""
+        from tilewright.fields import BondBricks, BrickField
+        from tilewright.signals.bricks import BrickStyle
+
+        started = time.perf_counter()
+        self._check()
+        style = BrickStyle(self.colors, mortar=self.mortar, bevel=self.bevel)
+        wall, (width, height) = self._lay()
+        self._check_inside(wall, width * height)
+        if self.kind == ".npy":
+            save_array(self.output, _indices(self.output, wall, (self.x, self.y, width, height)))
+        else:
+            size = None if isinstance(wall, BondBricks) else self.size
+            field = BrickField(wall, style, size=size, seed=self.seed)
+            across, down = self.size
+            self._draw(field, (self.x * across, self.y * down, width * across, height * down), progress)
+        seconds = time.perf_counter() - started
+        figures = {
+            "file": str(self.output), "width": width, "height": height, "seconds": round(seconds, 3)
+        }  # fmt: skip
+        return Done((self.output,), figures, f"{self.output}: {width} x {height} cells in {seconds:.1f} s")
+
+    def _check(self) -> None:
+        """Numbers that the library would name otherwise, or not see."""
+        from tilewright.fields.bricks.bonds import BONDS
+        from tilewright.fields.bricks.field import MAPS
+        from tilewright.tilings.domain import LARGEST_CELL
+
+        check_choice("pattern", self.pattern, ("wang", *BONDS))
+        if self.map is not None:
+            check_choice("map", self.map, ("preview", *MAPS))
+        for name, values, low, high in (
+            ("size", self.size, 1, 4096),
+            ("longest", self.longest, 1, 2**30),
+            ("x", (self.x,), -LARGEST_CELL, LARGEST_CELL),
+            ("y", (self.y,), -LARGEST_CELL, LARGEST_CELL),
+            ("width", (self.width,), 1, _MOST_CELLS),
+            ("height", (self.height,), 1, _MOST_CELLS),
+        ):
+            for value in values:
+                if value is not None:
+                    check_int(name, value, low, high)
+        check_seed(self.seed)
+
+    def _lay(self) -> "tuple[Wall, tuple[int, int]]":
+        """The wall, and its size in cells."""
+        from tilewright.fields import BondBricks
+        from tilewright.tilings.bricks import endless_brick_tiling
+
+        if self.is_region:
+            region = self._region()
+            height, width = region.cells.shape
+            if self.width not in (None, width) or self.height not in (None, height):
+                raise Clash(
+                    f"{{boundary}} is of {width} x {height} cells; leave {{width}} and {{height}} out"
+                )
+            return region, (width, height)
+        extent = self.width or 12, self.height or 20
+        if self.pattern != "wang":
+            return BondBricks(self.pattern, self.size, extent if self.cyclic else (None, None)), extent
+        if self.input is not None or self.cyclic:
+            return self._dappled(extent), extent
+        return endless_brick_tiling(self.positions, self.seed, longest=self.longest), extent
+
+    def _region(self) -> "BrickRegion":
+        """A wall in a region of light pixels, or in the rectangle of a boundary."""
+        import numpy as np
+
+        from tilewright.files import read_image
+        from tilewright.tilings.bricks import brick_region
+        from tilewright.tilings.dappled import start_from_image
+
+        asked = {} if self.boundary is None else _read_boundary(self.boundary)
+        if self.mask is None:
+            inside = np.ones((len(asked["vertical"]), asked["horizontal"].shape[-1]), np.uint8)
+        else:
+            picture = read_image(self.mask)
+            inside = start_from_image(
+                picture, self.width or picture.shape[1], self.height or picture.shape[0]
+            )
+        return brick_region(inside, self.positions, **asked, seed=self.seed, longest=self.longest)
+
+    def _dappled(self, extent: tuple[int, int]) -> "Tiling":
+        """A wall whose lines follow a picture, or chance."""
+        from tilewright.files import read_image
+        from tilewright.tilings.bricks import brick_tiling
+        from tilewright.tilings.dappled import dapple, random_start, start_from_image
+
+        if self.input is None:
+            start = random_start(*extent, seed=self.seed)
+        else:
+            start = start_from_image(read_image(self.input), *extent)
+        along, down = self.longest
+        if self.cyclic:  # a ring of one V tile among H tiles does not close
+            along, down = max(1, min(along, extent[0] - 2)), max(1, min(down, extent[1] - 2))
+        classes = dapple(start, {"H0": along, "V1": down}, cyclic=self.cyclic, seed=self.seed)
+        return brick_tiling(classes, self.positions, self.seed, torus=self.cyclic)
+
+    def _check_inside(self, wall: "Wall", cells: int) -> None:
+        """Refuse a window that leaves a wall which ends, and one that no picture holds."""
+        from tilewright.tilings.bricks import BrickRegion
+
+        ends = isinstance(wall, BrickRegion) or wall.domain.kind == "rectangle"
+        if ends and self.given("x", "y"):
+            raise Clash("{x} and {y} are about walls that go on; this one ends at its sides")
+        check_int("width times height", cells, 1, _MOST_CELLS)
+
+    def _draw(
+        self, field: "BrickField", window: tuple[int, int, int, int], progress: Progress | None
+    ) -> None:
+        from tilewright.export.drawing import draw_wall, save_svg
+
+        if self.kind == ".svg":
+            save_svg(self.output, draw_wall(field, *window, mode="lines" if self.lines else "bricks"))
+        else:
+            field.save(self.output, *window, map=self.map or "preview", progress=progress)
+
+
+def _read_boundary(path: Path) -> "dict[str, NDArray[Any]]":
+    """The arrays ``horizontal`` and ``vertical`` of an .npz file."""
+    from tilewright.files.tables import read_arrays
+
+    what = "two arrays, horizontal (h + 1, w) and vertical (h, w + 1), as a .npz file does"
+    found = read_arrays(path, ("horizontal", "vertical"), what)
+    if any(array.ndim != 2 for array in found.values()):
+        raise TilewrightFileError(f"{path} does not hold {what}")
+    return found
+
+
+def _indices(output: Path, wall: "Wall", window: tuple[int, int, int, int]) -> "NDArray[Any]":
+    """Tile indices, shape (height, width); -1 outside a region."""
+    from tilewright.tilings import Tiling
+    from tilewright.tilings.bricks import BrickRegion
+
+    if isinstance(wall, BrickRegion):
+        return wall.cells
+    if isinstance(wall, Tiling):
+        return wall.indices(*window)
+    raise TilewrightValueError(f"{output}: .npy holds tiles, and bonds have none; take pattern wang")

@@ -1,0 +1,57 @@
+"""The job of the command ``compare``: methods for blue-noise points side by side."""
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from tilewright.errors import Progress
+from tilewright.jobs.job import Done, Job
+
+
+@dataclass(frozen=True, kw_only=True)
+class CompareJob(Job):
+    """Compare methods for points as Lagae 2007, chapter 6, does.
+
+    Attributes
+    ----------
+    output : Path, optional
+        A folder for the table, the figures and the pictures.
+    methods : sequence of str, optional
+        Names, as the list has them.
+    full : bool
+        All methods, however long they take.
+    list : bool
+        Only name the methods.
+    sets : int
+        Sets of each method, K.
+    seed : int
+    """
+
+    output: Path | None = None
+    methods: Sequence[str] | None = None
+    full: bool = False
+    list: bool = False
+    sets: int = 10
+    seed: int = 0
+
+    def run(self, progress: Progress | None = None) -> Done:
+        """Measure every method, and save what is seen."""
+        from tilewright.analysis import compare
+        from tilewright.analysis.points.comparison import check_comparison_folder
+        from tilewright.analysis.points.contenders import list_contenders
+
+        if self.list:
+            known = {name: contender.source for name, contender in list_contenders().items()}
+            lines = (f"{name:<22} {source}" for name, source in known.items())
+            return Done((), dict(known), "\n".join(lines))
+        started = time.perf_counter()
+        if self.output is not None:
+            check_comparison_folder(self.output)
+        found = compare(self.methods, full=self.full, sets=self.sets, seed=self.seed, progress=progress)
+        if self.output is not None:
+            found.save(self.output)
+        seconds = round(time.perf_counter() - started, 1)
+        files = () if self.output is None else (self.output,)
+        figures = {"methods": found.plain_rows(), "seconds": seconds}
+        return Done(files, figures, f"{found.table()}\n{seconds} s")

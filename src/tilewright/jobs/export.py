@@ -1,0 +1,70 @@
+"""The job of the command ``export``: a tile set for an engine or another program."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, ClassVar
+
+from tilewright.checks import check_choice
+from tilewright.errors import Progress
+from tilewright.jobs.job import Done, Job, Rule
+
+_PICTURES = (".png", ".tif", ".tiff", ".exr", ".jpg", ".jpeg", ".bmp", ".tga", ".webp")
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExportJob(Job):
+    """Write a tile-set folder for an engine, or one map as a picture.
+
+    Attributes
+    ----------
+    folder, output : Path
+        A tile-set folder of textures; the folder to write, or a picture of one map.
+    to : str
+        A target of `save_for_engine`; ``"atlas"`` or ``"array"`` for a picture.
+    map : str, optional
+        Which map a picture shows; the main one by default.
+    lattice_seed : int
+        Seed of the tiling, built into shaders.
+    """
+
+    folder: Path
+    output: Path
+    to: str = "atlas"
+    map: str | None = None
+    lattice_seed: int = 0
+
+    RULES: ClassVar[tuple[Rule[Any], ...]] = (
+        Rule(
+            lambda job: job.map is not None and not job.is_picture,
+            "{map} is for a picture, such as a .png file; a folder holds all maps",
+        ),
+    )
+
+    @property
+    def is_picture(self) -> bool:
+        """Whether one map is asked for."""
+        return self.output.suffix.lower() in _PICTURES
+
+    def run(self, progress: Progress | None = None) -> Done:
+        """Write, and count what was written."""
+        from tilewright.export import save_array, save_atlas, save_for_engine
+        from tilewright.export.engines import TARGETS
+        from tilewright.files import load_texture
+
+        if self.is_picture:
+            write = {"array": save_array, "atlas": save_atlas}[
+                check_choice("to", self.to, ("array", "atlas"))
+            ]
+            write(load_texture(self.folder), self.output, map=self.map)
+            figures: dict[str, Any] = {"file": str(self.output), "bytes": self.output.stat().st_size}
+            return Done((self.output,), figures, str(self.output))
+        check_choice("to", self.to, TARGETS)
+        save_for_engine(load_texture(self.folder), self.output, self.to, seed=self.lattice_seed)
+        files = tuple(path for path in self.output.rglob("*") if path.is_file())
+        size = sum(path.stat().st_size for path in files)
+        figures = {"folder": str(self.output), "files": len(files), "bytes": size}
+        begin = self.output / "README.md"
+        return Done(
+            (self.output,), figures,
+            f"{self.output}: {len(files)} files, {size / 1e6:.1f} MB; begin with {begin}",
+        )  # fmt: skip

@@ -1,0 +1,191 @@
+"""The job of the command ``flow``: particles on a dappled tiling, as an animation, a map or arrays."""
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from tilewright.checks import check_choice, check_int, check_real
+from tilewright.errors import Progress
+from tilewright.jobs.job import Done, Job, Rule, useless
+from tilewright.jobs.saving import check_output
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from tilewright.flows import Flow
+
+_MOST_CELLS = 2**22
+_LIMITS = ("H0", "V0", "H1", "V1")
+ANIMATION, DENSITY, TRAILS, ARRAYS = "an animation", "a density", "trails", "a .npz file"
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlowJob(Job):
+    """Let particles walk over a dappled tiling of - and |, and write what they did.
+
+    Attributes
+    ----------
+    output : Path
+        ``.gif``, ``.webp``: an animation; ``.png``: a ``map``, ``"density"`` (default) or ``"trails"``;
+        ``.npz``: positions.
+    width, height : int
+        Cells.
+    limit : dict of str to number, optional
+        Longest runs of - (tile 0) and | (tile 1); 3 for all by default.
+    input, dither
+        A picture to follow, and whether its grays are mixtures.
+    cyclic, leave, onward : bool
+        Opposite borders meet; particles go at borders; particles never turn back (as in the paper).
+    particles, steps, speed
+        At the start; of time; cells in a step.
+    emit, births, kill, slow, fast
+        Shares of cells that give birth, births in each of them in a step (default 0.02), shares of cells that
+        kill, slow down (0.4) and speed up (2.5).
+    every, size, color, trail, fps
+        Steps from frame to frame, pixels along a cell, ``"direction"`` or ``"particle"``, frames in which a
+        trail loses half its light, frames per second.
+    seed : int
+    """
+
+    output: Path = Path("flow.gif")
+    width: int = 40
+    height: int = 25
+    limit: Mapping[str, float] | None = None
+    input: Path | None = None
+    dither: bool = False
+    cyclic: bool = False
+    leave: bool = False
+    onward: bool = False
+    particles: int = 250
+    steps: int = 200
+    speed: float = 0.125
+    emit: float = 0.0
+    births: float | None = None
+    kill: float = 0.0
+    slow: float = 0.0
+    fast: float = 0.0
+    every: int | None = None
+    map: str | None = None
+    size: int | None = None
+    color: str | None = None
+    trail: float | None = None
+    fps: int | None = None
+    seed: int = 0
+
+    RULES: ClassVar[tuple[Rule[Any], ...]] = (
+        *useless(lambda job: job.kind == ANIMATION, ANIMATION, "map"),
+        *useless(lambda job: job.kind == DENSITY, DENSITY, "every", "color", "trail", "fps"),
+        *useless(lambda job: job.kind == TRAILS, TRAILS, "fps"),
+        *useless(lambda job: job.kind == ARRAYS, ARRAYS, "map", "size", "color", "trail", "fps"),
+        Rule(
+            lambda job: job.dither and job.input is None,
+            "{dither} is about a picture to follow; give {input}",
+        ),
+        Rule(
+            lambda job: job.leave and job.cyclic,
+            "{leave} is about borders, and {cyclic} joins them; give one of them",
+        ),
+        Rule(
+            lambda job: job.births is not None and not job.emit,
+            "{births} is about cells that give birth; give {emit}",
+        ),
+    )
+
+    @property
+    def kind(self) -> str:
+        """What is to be written."""
+        picture = TRAILS if self.map == "trails" else DENSITY
+        return {".npz": ARRAYS, ".png": picture}.get(self.output.suffix.lower(), ANIMATION)
+
+    @property
+    def interval(self) -> int:
+        """Steps from frame to frame."""
+        if self.every is not None:
+            return self.every
+        return self.steps if self.kind == DENSITY else 1
+
+    def run(self, progress: Progress | None = None) -> Done:
+        """Dapple, walk and write."""
+        from tilewright.flows import FlowTile, simulate_flow, strew_tiles
+
+        started = time.perf_counter()
+        self._check()
+        cells, tiles = strew_tiles(
+            self._dapple(),
+            emitting=self.emit, killing=self.kill, slow=self.slow, fast=self.fast,
+            rate=0.02 if self.births is None else self.births, seed=self.seed,
+            tiles=(FlowTile("-", self.speed), FlowTile("|", self.speed)),
+        )  # fmt: skip
+        flow = simulate_flow(
+            cells, tiles, particles=self.particles, steps=self.steps, torus=self.cyclic, leaves=self.leave,
+            turns_back=not self.onward, every=self.interval, seed=self.seed, progress=progress,
+        )  # fmt: skip
+        self._write(flow, progress)
+        seconds = time.perf_counter() - started
+        figures = {"file": str(self.output), **flow.figures, "seconds": round(seconds, 3)}
+        return Done((self.output,), figures, self._sentence(figures, seconds))
+
+    def _sentence(self, figures: dict[str, Any], seconds: float) -> str:
+        return (
+            f"{self.output}: {self.particles} particles on {self.width} x {self.height} cells, {self.steps} "
+            f"steps; born {figures['born']}, killed {figures['killed']}, left {figures['left']}, alive "
+            f"{figures['alive']}; {seconds:.1f} s"
+        )
+
+    def _check(self) -> None:
+        """Refuse before the walk what would be refused only after it."""
+        from tilewright.export.drawing.flows import fit_size
+
+        check_output(self.output, (".gif", ".webp", ".png", ".npz"))
+        check_choice("map", self.map or "density", ("density", "trails"))
+        check_choice("color", self.color or "direction", ("direction", "particle"))
+        check_real("speed", self.speed, 0.001, 8)
+        check_int("width", self.width, 1, 65536)
+        check_int("height", self.height, 1, 65536)
+        check_int("width times height", self.width * self.height, 1, _MOST_CELLS)
+        check_int("steps", self.steps, 1, 2**20)
+        least, most = (1, 64) if self.kind == DENSITY else (4, 128)
+        for name, low, high in (("every", 1, 2**20), ("size", least, most), ("fps", 1, 50)):
+            if getattr(self, name) is not None:
+                check_int(name, getattr(self, name), low, high)
+        if self.trail is not None:
+            check_real("trail", self.trail, 0, 1000)
+        if self.kind == ANIMATION:
+            fit_size((self.height, self.width), self.size, -(-self.steps // self.interval) + 1)
+        for name in self.limit or ():
+            check_choice("limit", name, _LIMITS)
+
+    def _dapple(self) -> "NDArray[Any]":
+        """A tiling of - and | that follows a picture, or chance."""
+        from tilewright.files import read_image
+        from tilewright.tilings.dappled import dapple, random_start, start_from_image
+
+        limits = self.limit or dict.fromkeys(_LIMITS, 3)
+        extent = (self.width, self.height)
+        if self.input is None:
+            start = random_start(*extent, seed=self.seed)
+        else:
+            start = start_from_image(
+                read_image(self.input), *extent, dither=self.dither, limits=limits if self.dither else None
+            )
+        return dapple(start, limits, cyclic=self.cyclic, seed=self.seed, tiles=2)
+
+    def _write(self, flow: "Flow", progress: Progress | None) -> None:
+        """An animation, a map or arrays."""
+        from tilewright.export import save_flow
+        from tilewright.export.drawing import draw_density, draw_trails, save_animation
+        from tilewright.files import write_image
+
+        style = {"size": self.size, "color": self.color, "trail": self.trail, "rate": self.fps}
+        given: dict[str, Any] = {name: value for name, value in style.items() if value is not None}
+        if self.kind == ANIMATION:
+            save_animation(self.output, flow, **given, progress=progress)
+        elif self.kind == ARRAYS:
+            save_flow(self.output, flow)
+        elif self.kind == TRAILS:
+            write_image(self.output, draw_trails(flow, **given))
+        else:
+            size = self.size or max(1, min(48, 960 // max(flow.cells.shape)))
+            write_image(self.output, draw_density(flow, size=size))

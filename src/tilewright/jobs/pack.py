@@ -1,0 +1,111 @@
+"""The job of the command ``pack``: every tile of a complete set once, on a torus."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from tilewright.checks import check_choice
+from tilewright.errors import Progress
+from tilewright.jobs.job import Done, Job, Rule
+from tilewright.jobs.saving import check_suffix, save_by_suffix
+from tilewright.seeds import check_seed
+
+if TYPE_CHECKING:
+    from tilewright.tiles import TileSet
+    from tilewright.tilings import Tiling
+
+
+def _of_a_puzzle(name: str) -> "Rule[PackJob]":
+    """A rule for an option that is about the pieces of a puzzle."""
+    return Rule(
+        lambda job: job.given(name) and (job.file is None or job.file.suffix.lower() != ".svg"),
+        f"{{{name}}} is about the pieces of a puzzle; give it with a FILE.svg",
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class PackJob(Job):
+    """Write a tile packing as indices, as a picture or as a jigsaw puzzle; or count all packings.
+
+    Attributes
+    ----------
+    output : Path, optional
+        ``.png``, ``.svg`` (a puzzle for a laser cutter) or ``.npy`` (tile indices, shape (C^2, C^2)); named
+        after the set by default.
+    tiles : str
+        ``"corner"`` or ``"wang"``.
+    colors : int
+        1 to 16.
+    method : str
+        ``"closed"``, ``"search"`` (up to 3 colors; ``seed`` matters) or ``"recursive"``.
+    count : bool
+        Count all packings, which is possible over 2 colors.
+    piece_mm, picture, engrave
+        Of a puzzle: size of a piece in mm, a picture to print, and ``"none"``, ``"colors"`` or ``"numbers"``.
+    seed : int
+    """
+
+    output: Path | None = None
+    tiles: str = "corner"
+    colors: int = 2
+    method: str = "closed"
+    count: bool = False
+    piece_mm: float = 30
+    picture: Path | None = None
+    engrave: str = "none"
+    seed: int = 0
+
+    RULES: ClassVar[tuple[Rule[Any], ...]] = tuple(_of_a_puzzle(name) for name in ("picture", "engrave"))
+
+    @property
+    def file(self) -> Path | None:
+        """Where the packing goes; nowhere where only a count is asked for."""
+        if self.output is None and not self.count:
+            return Path(f"{self.tiles}-{self.colors}-packing.png")
+        return self.output
+
+    def run(self, progress: Progress | None = None) -> Done:
+        """Count, pack and draw."""
+        from tilewright.tiles import corner_tiles, wang_tiles
+
+        makers = {"corner": corner_tiles, "wang": wang_tiles}
+        make = makers[check_choice("tiles", self.tiles, tuple(makers))]
+        check_choice("method", self.method, ("closed", "search", "recursive"))
+        if self.file is not None:
+            check_suffix(self.file, (".npy", ".svg", ".png"))
+        check_seed(self.seed)
+        tiles = make(self.colors)
+        figures: dict[str, Any] = {"tiles": len(tiles)}
+        words = []
+        if self.count:
+            from tilewright.tilings import count_packings
+
+            figures["packings"] = count_packings(tiles, progress)
+            words.append(f"{figures['packings']} packings of {len(tiles)} tiles, translations counted")
+        if self.file is not None:
+            packed = self._pack(tiles, progress)
+            width, height = (p or 0 for p in packed.domain.periods)
+            self._save(packed, self.file, (width, height))
+            figures |= {"file": str(self.file), "size": [width, height]}
+            words.append(f"{self.file}: {len(tiles)} tiles, {width} x {height}")
+        return Done(() if self.file is None else (self.file,), figures, "\n".join(words))
+
+    def _pack(self, tiles: "TileSet", progress: Progress | None) -> "Tiling":
+        from tilewright.tilings import packing, random_packing, recursive_packing
+
+        if self.method == "search":
+            return random_packing(tiles, seed=self.seed, progress=progress)
+        return packing(tiles) if self.method == "closed" else recursive_packing(tiles)
+
+    def _save(self, packed: "Tiling", file: Path, size: tuple[int, int]) -> None:
+        from tilewright.export.drawing import draw_jigsaw, paint_tiling
+
+        look: dict[str, Any] = {"piece": self.piece_mm, "picture": self.picture, "engrave": self.engrave}
+        save_by_suffix(
+            file,
+            {
+                ".svg": lambda: draw_jigsaw(packed, **look),
+                ".png": lambda: paint_tiling(packed, 0, 0, *size),
+                ".npy": lambda: packed.indices(0, 0, *size),
+            },
+        )

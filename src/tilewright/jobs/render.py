@@ -1,0 +1,74 @@
+"""The job of the command ``render``: a window of the endless plane as a picture."""
+
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tilewright.errors import Progress
+from tilewright.jobs.job import Done, Job
+
+if TYPE_CHECKING:
+    from tilewright.signals.textures import TextureTiles
+    from tilewright.tilings import Tiling
+
+
+@dataclass(frozen=True, kw_only=True)
+class RenderJob(Job):
+    """Render a window of the plane that a tile-set folder makes.
+
+    Attributes
+    ----------
+    folder, output : Path
+        A tile-set folder of textures; the picture: ``.png``, ``.tif`` or ``.exr``.
+    x, y, width, height : int
+        The window in pixels; the plane is endless where the set has a direct tiling.
+    map : str, optional
+        Which map; the main one by default.
+    density : Path, optional
+        A gray picture that steers where a set of two sources shows the second, with ``cells_per_pixel``.
+    lattice_seed : int
+        Seed of the tiling.
+    """
+
+    folder: Path
+    output: Path
+    width: int
+    height: int
+    x: int = 0
+    y: int = 0
+    map: str | None = None
+    density: Path | None = None
+    cells_per_pixel: float = 1.0
+    lattice_seed: int = 0
+
+    def run(self, progress: Progress | None = None) -> Done:
+        """Lay and save."""
+        from tilewright.fields import TextureField
+        from tilewright.files import load_texture
+
+        started = time.perf_counter()
+        material = load_texture(self.folder)
+        field = TextureField(material, self._tiling(material))
+        field.save(self.output, self.x, self.y, self.width, self.height, map=self.map, progress=progress)
+        seconds = time.perf_counter() - started
+        figures = {
+            "file": str(self.output), "width": self.width, "height": self.height,
+            "seconds": round(seconds, 3),
+        }  # fmt: skip
+        sentence = f"{self.output}: {self.width} x {self.height} pixels in {seconds:.1f} s"
+        return Done((self.output,), figures, sentence)
+
+    def _tiling(self, material: "TextureTiles") -> "Tiling":
+        """Steered by a picture, or by chance."""
+        from tilewright.files import read_image
+        from tilewright.tilings import density_tiling, stochastic
+
+        if self.density is not None:
+            return density_tiling(
+                material.tiles, read_image(self.density), self.lattice_seed,
+                cells_per_pixel=self.cells_per_pixel,
+            )  # fmt: skip
+        ends = (self.x + self.width, self.y + self.height)
+        right, bottom = (max(1, -(-end // material.tile_size)) for end in ends)
+        return stochastic(material.tiles, right, bottom, self.lattice_seed)

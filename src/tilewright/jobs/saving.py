@@ -1,0 +1,54 @@
+"""Files of jobs: what they hold is told by their suffix."""
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from tilewright.errors import TilewrightValueError
+from tilewright.files.atomic import check_file
+
+Maker = Callable[[], Any]
+"""Makes what a file is to hold: the text of an SVG, the pixels of a picture, an array."""
+
+
+def check_suffix(path: Path, allowed: Sequence[str]) -> str:
+    """The suffix of ``path`` in lower case, if it is one of those allowed."""
+    suffix = path.suffix.lower()
+    if suffix not in allowed:
+        raise TilewrightValueError(
+            f"output is {path}, which ends in {suffix or 'nothing'!r}; allowed are {', '.join(allowed)}"
+        )
+    return suffix
+
+
+def check_output(path: Path, allowed: Sequence[str]) -> str:
+    """As `check_suffix`, and the file can be written; before the work begins."""
+    suffix = check_suffix(path, allowed)
+    check_file(path)
+    return suffix
+
+
+def save_by_suffix(path: Path, makers: Mapping[str, Maker]) -> None:
+    """Write the one that the file's suffix asks for: .svg text, .png pixels or a .npy array."""
+    suffix = check_suffix(path, tuple(makers))
+    made = makers[suffix]()
+    if suffix == ".svg":
+        from tilewright.export.drawing import save_svg
+
+        save_svg(path, made)
+    elif suffix == ".npy":
+        save_array(path, made)
+    else:
+        from tilewright.files import write_image
+
+        write_image(path, made)
+
+
+def save_array(path: Path, array: Any) -> None:
+    """Write an array as a .npy file."""
+    import numpy as np
+
+    from tilewright.files.atomic import whole_file
+
+    with whole_file(path) as unfinished:
+        np.save(unfinished, array)

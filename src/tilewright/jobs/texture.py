@@ -1,0 +1,181 @@
+"""The job of the command ``texture``: from photographs to a tile-set folder."""
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from tilewright.checks import check_choice
+from tilewright.errors import Progress, TilewrightValueError
+from tilewright.jobs.job import Done, Job, Rule, useless
+
+if TYPE_CHECKING:
+    from tilewright.signals.textures import TextureTiles
+    from tilewright.tiles import TileSet
+
+_KINDS = ("corner", "wang", "cohen-8", "cohen-12", "cohen-18", "corner-coded")
+_SETTINGS = ("tiles", "colors", "tile_size", "weight", "mask", "method", "seed", "photo")
+_OLD = "{from_}, which makes an old set again with its photograph and settings"
+_CUT = "{like}, which cuts as the old set was cut"
+
+
+@dataclass(frozen=True, kw_only=True)
+class TextureJob(Job):
+    """Make texture tiles from a photograph and save them; or make an old set again, or add maps to one.
+
+    Attributes
+    ----------
+    photo : Path, optional
+        A photograph, or a folder of a material's maps.
+    output : Path, optional
+        The folder of the set; that of ``like``, else ``tiles``, by default.
+    tiles, colors
+        ``"corner"``, ``"wang"``, ``"cohen-8"``, ``"cohen-12"``, ``"cohen-18"`` or ``"corner-coded"``, and the
+        colors of a complete set.
+    tile_size : int or "auto"
+        Pixels along a tile.
+    map, weight, kind : dict by map name
+        Files, what a map counts in the cut, and what it holds.
+    normal, flatten, mask, second, method, threads, seed
+        As in `texture_tiles`.
+    from_ : Path, optional
+        A set to make again, with ``reject`` (names of patches) and ``pick`` (places by name).
+    like : Path, optional
+        A set that gets the maps of ``map``, cut as it was cut.
+    """
+
+    photo: Path | None = None
+    output: Path | None = None
+    tiles: str = "corner"
+    colors: int | None = None
+    tile_size: int | str = 128
+    map: Mapping[str, str] | None = None
+    weight: Mapping[str, float] | None = None
+    kind: Mapping[str, str] | None = None
+    normal: str | None = None
+    flatten: bool = False
+    mask: Path | None = None
+    second: Path | None = None
+    method: str | None = None
+    from_: Path | None = None
+    like: Path | None = None
+    reject: Sequence[str] | None = None
+    pick: Mapping[str, tuple[int, int, int]] | None = None
+    threads: int | None = None
+    seed: int = 0
+
+    RULES: ClassVar[tuple[Rule[Any], ...]] = (
+        *useless(
+            lambda job: job.from_, _OLD, *_SETTINGS, "map", "kind", "normal", "flatten", "second", "like"
+        ),
+        *useless(lambda job: job.like, _CUT, *_SETTINGS, "pick", "reject", "threads"),
+        Rule(lambda job: job.like and not job.map, "{like} cuts further maps; give them with {map}"),
+        Rule(
+            lambda job: job.like and job.second and len(job.map) > 1,
+            "{second} is the second photograph of one map; give one {map} at a time",
+        ),
+        Rule(
+            lambda job: job.reject and not job.from_,
+            "{reject} names patches of a set that exists; give it with {from_}",
+        ),
+        Rule(
+            lambda job: not (job.photo or job.map or job.from_ or job.like),
+            "{photo} is missing; give a photograph, a folder of maps, or maps by name with {map}",
+        ),
+        Rule(
+            lambda job: job.photo and "albedo" in (job.map or ()) and not Path(job.photo).is_dir(),
+            "albedo is given twice, as {photo} and by {map}; leave one out",
+        ),
+    )
+
+    def run(self, progress: Progress | None = None) -> Done:
+        """Synthesize and save."""
+        from tilewright.files import save
+        from tilewright.files.tileset_folder import check_savable
+
+        started = time.perf_counter()
+        folder = self.output or self.like or Path("tiles")
+        check_savable(folder)
+        material = self._make(progress)
+        save(material, folder)
+        seconds = time.perf_counter() - started
+        figures = {
+            "folder": str(folder),
+            "tiles": len(material.tiles),
+            "tile_size": material.tile_size,
+            "maps": list(material.maps),
+            "kinds": material.kinds,
+            "method": material.recipe["method"],
+            "seed": material.recipe["seed"],
+            "seconds": round(seconds, 3),
+        }
+        size = material.tile_size
+        sentence = (
+            f"{folder}: {len(material.tiles)} {material.tiles.shape.name} tiles of {size} x {size} pixels "
+            f"in {seconds:.1f} s"
+        )
+        return Done((folder,), figures, sentence)
+
+    def _make(self, progress: Progress | None) -> "TextureTiles":
+        from tilewright.files import load_texture
+        from tilewright.jobs.materials import texture_tiles
+        from tilewright.signals.textures import resynthesize
+
+        if self.from_ is not None:
+            return resynthesize(
+                load_texture(self.from_),
+                reject=self.reject or [], pick=self.pick, threads=self.threads, progress=progress,
+            )  # fmt: skip
+        if self.like is not None:
+            return self._add(load_texture(self.like))
+        return texture_tiles(
+            self._pictures(),
+            self._tile_set(),
+            second=self.second,
+            mask=self.mask,
+            weights=dict(self.weight or {}),
+            tile_size=self.tile_size,
+            seed=self.seed,
+            method=self.method,
+            pick=self.pick,
+            threads=self.threads,
+            progress=progress,
+            **self._meaning(),
+        )
+
+    def _meaning(self) -> dict[str, Any]:
+        return {"kinds": dict(self.kind or {}), "normal": self.normal, "flatten": self.flatten}
+
+    def _add(self, material: "TextureTiles") -> "TextureTiles":
+        """The material with further maps."""
+        from tilewright.jobs.materials import add_maps
+
+        added = dict(self.map or {})
+        second = None if self.second is None else dict.fromkeys(added, str(self.second))
+        return add_maps(material, added, second=second, **self._meaning())
+
+    def _pictures(self) -> Any:
+        """The photograph, its maps by name, or both."""
+        from tilewright.files import find_maps
+
+        maps = dict(self.map or {})
+        if self.photo is None or not maps:
+            return maps or self.photo
+        if self.photo.is_dir():
+            return {name: str(file) for name, file in find_maps(self.photo).items()} | maps
+        return {"albedo": str(self.photo)} | maps
+
+    def _tile_set(self) -> "TileSet":
+        from tilewright.tiles import cohen_tiles, corner_coded_tiles, corner_tiles, wang_tiles
+
+        kind, colors = check_choice("tiles", self.tiles, _KINDS), self.colors
+        if colors is not None and kind not in ("corner", "wang"):
+            raise TilewrightValueError(f"colors is for corner and wang tiles; {kind} has its own")
+        if kind == "wang":
+            return wang_tiles(2 if colors is None else colors)
+        if kind == "corner":
+            return corner_tiles((2 if self.second is None else 4) if colors is None else colors)
+        if kind == "corner-coded":
+            return corner_coded_tiles()
+        return cohen_tiles(int(kind.removeprefix("cohen-")))

@@ -1,0 +1,45 @@
+"""The job of the command ``view``: a page to pan, zoom and tilt."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from tilewright.errors import Progress
+from tilewright.jobs.job import Done, Job
+
+
+@dataclass(frozen=True, kw_only=True)
+class ViewJob(Job):
+    """Write a page that shows the endless plane of a tile-set folder.
+
+    Attributes
+    ----------
+    folder, output : Path
+        A tile-set folder of textures; the ``.html`` file.
+    compare : bool
+        Beside plain repetition, hex-tiling, by-example noise, and the other of Wang and corner tiles.
+    lattice_seed : int
+        Seed of the tiling that the page begins with.
+    """
+
+    folder: Path
+    output: Path
+    compare: bool = False
+    lattice_seed: int = 0
+
+    def run(self, progress: Progress | None = None) -> Done:
+        """Compare where that is asked for, and write."""
+        from tilewright.analysis import compare_textures
+        from tilewright.export import save_viewer
+        from tilewright.export.viewer.page import check_page
+        from tilewright.files import load_texture
+
+        check_page(self.output)
+        material = load_texture(self.folder)
+        compared = None
+        if self.compare:
+            compared = compare_textures(material, seed=self.lattice_seed, progress=progress)
+        save_viewer(material, self.output, seed=self.lattice_seed, compare=compared)
+        size = self.output.stat().st_size
+        figures = {"file": str(self.output), "bytes": size}
+        figures |= {} if compared is None else {"methods": compared.figures}
+        return Done((self.output,), figures, f"{self.output}: {size / 1e6:.1f} MB")
