@@ -58,8 +58,8 @@ def _finite(figures: dict[str, Any]) -> dict[str, Any]:
 
 @contextmanager
 def progress_bar() -> Iterator[Progress]:
-    """A progress bar on stderr; nothing where stderr is not a terminal."""
-    if not sys.stderr.isatty():
+    """A progress bar on stderr; nothing where stderr is no terminal, or where there is none."""
+    if sys.stderr is None or not sys.stderr.isatty():
         yield Ending.check
         return
     from rich.console import Console
