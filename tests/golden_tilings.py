@@ -249,7 +249,7 @@ def dapples():
         yield f"picture of three dither {dither}", picture
     yield "formula", tw.dapple_formula((6, 7), limits).dimacs()
     yield "count", str(tw.count_dappled(7, 6, limits))
-    yield "count cyclic", str(tw.count_dappled(5, 6, limits, cyclic=True))
+    yield "count cyclic", str(tw.count_dappled(4, 5, limits, cyclic=True))
     best = tw.closest_dapple(tw.random_start(12, 9, seed=1), limits)
     yield "closest", str((best.distance, best.bound))
 

@@ -22,6 +22,9 @@ import zlib
 from math import ceil, log10
 from pathlib import Path
 
+import golden_files
+import golden_points
+import golden_textures
 import golden_tilings
 import numpy as np
 import pytest
@@ -29,13 +32,18 @@ import pytest
 import tilewright as tw
 
 TABLE = Path(__file__).with_name("golden.json")
-GROUPS = golden_tilings.GROUPS
+GROUPS = {
+    **golden_tilings.GROUPS,
+    **golden_points.GROUPS,
+    **golden_textures.GROUPS,
+    **golden_files.GROUPS,
+}
 NEEDS_SOLVER = {"solved tilings"}
 _VERSION = f"tilewright {tw.__version__}"
 _FRACTION = re.compile(r"-?\d+\.\d{6,}(?:e[+-]?\d+)?|-?\d(?:\.\d+)?e-\d+")
 _PNG_TEXT = re.compile(r"iVBORw0KGgo[A-Za-z0-9+/=]+")
 _LEFT_OUT = re.compile(
-    r'"checksums": ?\{[^}]*\}|"(?:version|program)": ?"[^"]*"|, "seconds": [\d.]+|"seconds": [\d.]+, '
+    r'"checksums": ?\{[^}]*\}|"(?:version|program)": ?"[^"]*"'
 )
 _TEXTS = {".html", ".md", ".txt", ".json", ".svg", ".csv", ".glsl", ".hlsl", ".wgsl", ".osl", ".py", ".js"}
 _DIGITS = 6
@@ -53,6 +61,8 @@ def plain(value):
     if isinstance(value, np.ndarray):
         value = rounded(value) if value.dtype.kind == "f" else value
         return f"{value.dtype.str} {value.shape}".encode() + np.ascontiguousarray(value).tobytes()
+    if isinstance(value, list) and all(isinstance(one, Path) for one in value):
+        return b"".join(path.name.encode() + plain_file(path) for path in value)
     if isinstance(value, (dict, list)):
         return json.dumps(rounded_figures(value)).encode()
     if isinstance(value, str):
@@ -73,10 +83,10 @@ def rounded(array):
 
 
 def rounded_figures(value):
-    """Figures rounded to nine digits, without timings."""
+    """Figures rounded to nine digits, without timings and sizes of files."""
     if isinstance(value, dict):
-        timings = ("seconds", "milliseconds", "construction_seconds")
-        return {k: rounded_figures(v) for k, v in value.items() if k not in timings}
+        left_out = ("seconds", "milliseconds", "construction_seconds", "bytes")
+        return {k: rounded_figures(v) for k, v in value.items() if k not in left_out}
     if isinstance(value, (list, tuple)):
         return [rounded_figures(v) for v in value]
     return float(f"{value:.9g}") if isinstance(value, float) else value
