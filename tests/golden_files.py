@@ -126,7 +126,7 @@ def files(folder):
     for suffix in ("png", "tif"):
         field.save(folder / f"plane.{suffix}", -300, 5, 600, 270)
         yield f"plane {suffix}", folder / f"plane.{suffix}"
-    wall = tw.BrickField(tw.endless_bricks(3, 5), size=(48, 16))
+    wall = tw.BrickField(tw.endless_brick_tiling(3, 5), size=(48, 16))
     wall.save(folder / "wall.png", -20, 3, 90, 60)
     wall.save(folder / "wall", -20, 3, 90, 60)
     yield "wall", folder / "wall.png"
@@ -195,7 +195,7 @@ def drawings():
     pieces = tw.Jigsaw(tw.packing(tw.corner_tiles(2)))
     yield "outline", pieces.outline(1, 2)
     yield "row", pieces.row(1)
-    wall = tw.endless_bricks(3, 5)
+    wall = tw.endless_brick_tiling(3, 5)
     for mode in ("bricks", "lines"):
         yield f"wall {mode}", tw.draw_wall(wall, -90, -50, 400, 200, mode=mode, scale=0.5)
     yield "bond", tw.draw_wall(tw.BondBricks("herringbone"), 0, 0, 600, 300)

@@ -154,7 +154,7 @@ def texture_analysis():
 
 
 def walls():
-    endless = tw.endless_bricks(3, 5)
+    endless = tw.endless_brick_tiling(3, 5)
     tiled = tw.brick_tiling(tw.dapple(tw.random_start(6, 8, seed=2), {"H0": 3, "V1": 3}), 4, 5)
     hole = np.ones((5, 6), bool)
     hole[2, 2:4] = False

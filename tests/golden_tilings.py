@@ -158,7 +158,7 @@ def packings():
     for name in ("corner-2", "wang-2"):
         tiles = FAMILIES[name]()
         for seed in (0, 7):
-            yield f"{name} found {seed}", tw.find_packing(tiles, seed=seed).indices(0, 0, 4, 4)
+            yield f"{name} found {seed}", tw.random_packing(tiles, seed=seed).indices(0, 0, 4, 4)
         yield f"{name} count", str(tw.count_packings(tiles))
         search = tw.PackingSearch(tiles, seed=1)
         found = search.find(40)
@@ -166,9 +166,9 @@ def packings():
         yield f"{name} trials", str(search.trials)
         for part, classes in enumerate(tw.classify_packings(tiles, found)):
             yield f"{name} classes {part}", classes
-    yield "corner-3 found", tw.find_packing(tw.corner_tiles(3), seed=0).indices(0, 0, 9, 9)
+    yield "corner-3 found", tw.random_packing(tw.corner_tiles(3), seed=0).indices(0, 0, 9, 9)
     nest = tw.packing(tw.wang_tiles(2))
-    yield "wang-3 nested", tw.find_packing(tw.wang_tiles(3), nest=nest).indices(0, 0, 9, 9)
+    yield "wang-3 nested", tw.random_packing(tw.wang_tiles(3), nest=nest).indices(0, 0, 9, 9)
     for colors in (2, 4):
         laid = tw.recursive_packing(tw.corner_tiles(colors))
         yield f"corner-{colors} recursive", laid.indices(0, 0, colors**2, colors**2)
@@ -194,9 +194,9 @@ def solved_tilings():
     fixed[2, 3] = 5
     jeandel = tw.aperiodic_tiles()
     for seed in (0, 7):
-        yield f"fill {seed}", tw.fill(jeandel, 12, 9, seed=seed).indices(0, 0, 12, 9)
-    yield "fill fixed", tw.fill(jeandel, 8, 6, fixed=fixed).indices(0, 0, 8, 6)
-    yield "fill torus", tw.fill(tw.corner_tiles(2), 8, 6, torus=True, seed=3).indices(0, 0, 8, 6)
+        yield f"fill {seed}", tw.filled_tiling(jeandel, 12, 9, seed=seed).indices(0, 0, 12, 9)
+    yield "fill fixed", tw.filled_tiling(jeandel, 8, 6, fixed=fixed).indices(0, 0, 8, 6)
+    yield "fill torus", tw.filled_tiling(tw.corner_tiles(2), 8, 6, torus=True, seed=3).indices(0, 0, 8, 6)
     periodic = tw.periodic_tiling(tw.aperiodic_tiles("lagae-44"), 5, 5)
     width, height = (periodic.domain.periods[a] for a in (0, 1))
     yield "periodic", periodic.indices(0, 0, width, height)
@@ -240,7 +240,7 @@ def dapples():
         yield f"dapple of three {seed}", tw.dapple(three, many, seed=seed)
         for rule, where in tw.find_violations(start, limits).items():
             yield f"violations {seed} {rule}", where
-        endless = tw.endless_dapple(limits, start=0.4, seed=seed)
+        endless = tw.endless_dappled_tiling(limits, start=0.4, seed=seed)
         yield f"endless {seed}", endless.cells(-9, -8, 30, 20)
         yield f"endless far {seed}", endless.cells(10**12, -(10**12), 16, 12)
     for dither in (False, True):
@@ -266,7 +266,7 @@ def brick_tilings():
         if positions > 2:
             closed = tw.brick_tiling(ring, positions, 5, torus=True)
             yield f"torus {positions}", closed.indices(0, 0, 16, 12)
-        endless = tw.endless_bricks(positions, 5, longest=(3, 4))
+        endless = tw.endless_brick_tiling(positions, 5, longest=(3, 4))
         yield f"endless {positions}", endless.indices(-9, -8, 24, 16)
         yield f"endless far {positions}", endless.indices(10**12, -(10**12), 16, 12)
         for seed in (0, 5):
