@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright import __version__
-from tilewright.checks import check_choice
+from tilewright.checks import check_choice, shape_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.files.atomic import as_path, whole_file
 
@@ -120,7 +120,7 @@ def write_ktx2(path: str | Path, levels: Sequence[NDArray[Any]], *, srgb: bool) 
     path = as_path(path)
     if path.suffix.lower() != ".ktx2":
         raise TilewrightValueError(
-            f"{path} ends in {path.suffix or 'nothing'!r}; a KTX 2.0 file ends in .ktx2"
+            f"{path} ends in {path.suffix or 'nothing'!r}; a KTX 2.0 file ends in .ktx2", value=path
         )
     levels = _check_levels(levels, srgb)
     layout = _choose_layout(levels[0], srgb)
@@ -149,30 +149,41 @@ def _check_levels(levels: Sequence[NDArray[Any]], srgb: bool) -> list[NDArray[An
     """The levels, checked; floats as half floats."""
     levels = list(levels)
     if not levels:
-        raise TilewrightValueError("levels is empty; the picture itself is level 0")
+        raise TilewrightValueError("is empty; the picture itself is level 0", argument="levels")
     first = levels[0]
     if first.dtype not in (np.uint8, np.uint16, np.float32, np.float16):
         raise TilewrightTypeError(
-            f"levels hold {first.dtype}; KTX 2.0 files are written from uint8, uint16, float32 or float16"
+            f"hold {first.dtype}; KTX 2.0 files are written from uint8, uint16, float32 or float16",
+            argument="levels",
+            value=first.dtype,
         )
     if first.ndim not in (3, 4) or not 1 <= first.shape[-1] <= 4 or 0 in first.shape:
-        raise TilewrightValueError(
-            f"level 0 has shape {first.shape}; expected (rows, columns, channels) or "
-            "(layers, rows, columns, channels) with 1 to 4 channels"
+        raise shape_error(
+            "level 0",
+            first.shape,
+            "(rows, columns, channels) or (layers, rows, columns, channels) with 1 to 4 channels",
         )
     if srgb and first.dtype.kind == "f":
-        raise TilewrightValueError("srgb is True but levels hold floats, which are linear; pass srgb=False")
+        raise TilewrightValueError(
+            "is True but levels hold floats, which are linear", argument="srgb", advice="pass srgb=False"
+        )
     for number, level in enumerate(levels):
         sides = (max(1, side >> number) for side in first.shape[-3:-1])
         expected = (*first.shape[:-3], *sides, first.shape[-1])
         if level.shape != expected or level.dtype != first.dtype:
             raise TilewrightValueError(
-                f"level {number} is {level.dtype} {level.shape}; expected {first.dtype} {expected}, "
-                "half of the level before"
+                f"is {level.dtype} {level.shape}; expected {first.dtype} {expected}, half of the level "
+                "before",
+                argument=f"level {number}",
+                allowed=f"{first.dtype} {expected}, half of the level before",
             )
     most = max(first.shape[-3:-1]).bit_length()
     if len(levels) > most:
-        raise TilewrightValueError(f"levels are {len(levels)}; a texture of this size has at most {most}")
+        raise TilewrightValueError(
+            f"are {len(levels)}; a texture of this size has at most {most}",
+            argument="levels",
+            value=len(levels),
+        )
     return levels if first.dtype.kind == "u" else [_to_half(level) for level in levels]
 
 
@@ -181,7 +192,10 @@ def _to_half(level: NDArray[Any]) -> NDArray[np.float16]:
     if not (np.abs(level) <= _HALF_LARGEST).all():
         worst = level.flat[np.argmax(~(np.abs(level) <= _HALF_LARGEST))]
         raise TilewrightValueError(
-            f"levels hold {worst}; half floats are finite and end at {_HALF_LARGEST:g}; scale or mend the map"
+            f"hold {worst}; half floats are finite and end at {_HALF_LARGEST:g}",
+            argument="levels",
+            value=worst,
+            advice="scale or mend the map",
         )
     return level.astype(np.float16)
 

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_int
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_choice, check_int, check_out
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields.agreement import check_agreement
 from tilewright.files.atomic import as_path
 from tilewright.files.image_streams import stream_image
@@ -73,7 +73,8 @@ class TextureField:
         if out is None:
             out = _make_out((height, width, channels), tiles.dtype)
         else:
-            _check_out(out, (height, width, channels), tiles.dtype)
+            shape = (height, width, channels)
+            check_out(out, lambda o: (o.shape, o.dtype) == (shape, tiles.dtype), f"{tiles.dtype} {shape}")
         from tilewright.kernels.assembly import copy_tiles
 
         pixel = channels * tiles.itemsize
@@ -138,16 +139,6 @@ def _make_out(shape: tuple[int, ...], kind: np.dtype[Any]) -> NDArray[Any]:
         return np.empty(shape, kind)
     except (MemoryError, ValueError):
         raise TilewrightValueError(
-            f"a window of {shape[1]} x {shape[0]} pixels does not fit in memory; "
-            "render smaller ones, or save() it to a file"
+            f"a window of {shape[1]} x {shape[0]} pixels does not fit in memory",
+            advice="render smaller ones, or save() it to a file",
         ) from None
-
-
-def _check_out(out: NDArray[Any], shape: tuple[int, ...], kind: np.dtype[Any]) -> None:
-    if type(out) is not np.ndarray:
-        raise TilewrightTypeError(f"out must be an array, not {type(out).__name__}")
-    if out.shape != shape or out.dtype != kind or not (out.flags.c_contiguous and out.flags.writeable):
-        raise TilewrightValueError(
-            f"out is {out.dtype} {out.shape}, C-contiguous: {out.flags.c_contiguous}, writable: "
-            f"{out.flags.writeable}; expected {kind} {shape}, C-contiguous and writable"
-        )

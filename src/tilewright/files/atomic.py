@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from tilewright.checks import check_type
 from tilewright.errors import (
     TilewrightFileError,
-    TilewrightTypeError,
     TilewrightValueError,
     TilewrightWarning,
 )
@@ -21,16 +21,15 @@ MANIFEST = "tileset.json"
 
 def as_path(given: str | os.PathLike[str]) -> Path:
     """A path, or one clear line where it is of another type or cannot be written out as text."""
-    if not isinstance(given, (str, os.PathLike)):
-        raise TilewrightTypeError(f"path must be a str or a Path, not {type(given).__name__}")
+    check_type("path", given, (str, os.PathLike), "a str or a Path")
     path = Path(given)
     if not str(given):
-        raise TilewrightValueError("path is empty; a file or folder name is expected")
+        raise TilewrightValueError("is empty; a file or folder name is expected", argument="path")
     try:
         str(path).encode()
     except UnicodeEncodeError:
         raise TilewrightValueError(
-            f"{str(path)!r} is not a name in UTF-8; rename the file or folder"
+            f"{str(path)!r} is not a name in UTF-8", value=path, advice="rename the file or folder"
         ) from None
     return path
 
@@ -44,18 +43,20 @@ def _explained(path: Path) -> Iterator[None]:
         raise
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
-        raise TilewrightFileError(f"{path} could not be written: {reason}") from None
+        raise TilewrightFileError(f"{path} could not be written: {reason}", value=path) from None
     except ValueError as error:
         if "null byte" not in str(error):
             raise
-        raise TilewrightFileError(f"{str(path)!r} could not be written: {error}") from None
+        raise TilewrightFileError(f"{str(path)!r} could not be written: {error}", value=path) from None
 
 
 def _real(path: Path) -> Path:
     """Where ``path`` leads, links followed; its parent must be there."""
     real = Path(os.path.realpath(path))
     if not real.parent.is_dir():
-        raise TilewrightFileError(f"{path} could not be written: the folder {real.parent} does not exist")
+        raise TilewrightFileError(
+            f"{path} could not be written: the folder {real.parent} does not exist", value=path
+        )
     return real
 
 
@@ -73,7 +74,7 @@ def whole_file(path: str | Path) -> Iterator[Path]:
             os.chmod(unfinished, 0o666 & ~_umask())
             os.replace(unfinished, real)
         except TilewrightFileError as error:
-            raise TilewrightFileError(str(error).replace(str(unfinished), str(path))) from None
+            raise TilewrightFileError(str(error).replace(str(unfinished), str(path)), value=path) from None
         finally:
             unfinished.unlink(missing_ok=True)
 
@@ -82,9 +83,9 @@ def check_file(path: Path) -> Path:
     """Where a file may be written that leads to ``path``, links followed; an error where it may not."""
     real = _real(path)
     if real.is_dir():
-        raise TilewrightFileError(f"{path} is a folder; a file name is expected")
+        raise TilewrightFileError(f"{path} is a folder; a file name is expected", value=path)
     if real.exists() and not real.is_file():
-        raise TilewrightFileError(f"{path} is not a plain file; choose another name")
+        raise TilewrightFileError(f"{path} is not a plain file", value=path, advice="choose another name")
     _check_outside(path, real)
     return real
 
@@ -93,7 +94,7 @@ def _check_outside(path: Path, real: Path) -> None:
     for folder in real.parents[:2]:
         if (folder / MANIFEST).exists():
             raise TilewrightFileError(
-                f"{path} lies in the tile-set folder {folder}; choose a place outside it"
+                f"{path} lies in the tile-set folder {folder}", value=path, advice="choose a place outside it"
             )
 
 
@@ -112,7 +113,7 @@ def whole_folder(path: str | Path, objection: Callable[[Path], str]) -> Iterator
             os.chmod(unfinished, 0o777 & ~_umask())
             _put(unfinished, real)
         except TilewrightFileError as error:
-            raise TilewrightFileError(str(error).replace(str(unfinished), str(path))) from None
+            raise TilewrightFileError(str(error).replace(str(unfinished), str(path)), value=path) from None
         finally:
             shutil.rmtree(unfinished, ignore_errors=True)
 
@@ -122,12 +123,14 @@ def check_folder(path: Path, objection: Callable[[Path], str]) -> Path:
     with _explained(path):
         real = _real(path)
         if real.exists() and not real.is_dir():
-            raise TilewrightFileError(f"{path} is a file; a folder is expected")
+            raise TilewrightFileError(f"{path} is a file; a folder is expected", value=path)
         _check_outside(path, real)
         if real.is_dir() and any(real.iterdir()) and (reason := objection(real)):
-            raise TilewrightFileError(f"{path} {reason}; choose a new folder")
+            raise TilewrightFileError(f"{path} {reason}", value=path, advice="choose a new folder")
         if not os.access(real.parent, os.W_OK):
-            raise TilewrightFileError(f"{path} could not be written: no permission in {real.parent}")
+            raise TilewrightFileError(
+                f"{path} could not be written: no permission in {real.parent}", value=path
+            )
     return real
 
 

@@ -90,7 +90,7 @@ def _write_scanlines(
         spec.attribute("compression", "zip")
     output = oiio.ImageOutput.create(str(unfinished))
     if output is None:
-        raise TilewrightFileError(f"{path} could not be written ({first_line(oiio.geterror())})")
+        raise TilewrightFileError(f"{path} could not be written ({first_line(oiio.geterror())})", value=path)
     written = output.open(str(unfinished), spec)
     try:
         rows = min(TILE, max(1, _BLOCK_BYTES // (width * channels * kind.itemsize)))
@@ -103,7 +103,9 @@ def _write_scanlines(
     finally:
         closed = output.close()
     if not (written and closed and _is_whole(unfinished, height)):
-        raise TilewrightFileError(f"{path} could not be written ({reason or 'is the disk full?'})")
+        raise TilewrightFileError(
+            f"{path} could not be written ({reason or 'is the disk full?'})", value=path
+        )
 
 
 def _is_whole(path: Path, height: int) -> bool:

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.checks import check_type, shape_error
 from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
 from tilewright.files.atomic import as_path, whole_file
 
@@ -39,18 +40,18 @@ def read_image(path: str | Path) -> NDArray[Any]:
     if source is None:
         reason = first_line(oiio.geterror()) or "unknown format"
         raise TilewrightFileError(
-            f"{path} cannot be read as an image, such as PNG, JPEG, TIFF or EXR ({reason})"
+            f"{path} cannot be read as an image, such as PNG, JPEG, TIFF or EXR ({reason})", value=path
         )
     try:
         spec = source.spec()
         kind = _TYPES.get(str(spec.format))
         if kind is None:
             raise TilewrightFileError(
-                f"{path} holds {spec.format} pixels; allowed are 8-bit, 16-bit, half and float"
+                f"{path} holds {spec.format} pixels; allowed are 8-bit, 16-bit, half and float", value=path
             )
         if spec.nchannels > _MOST_CHANNELS:
             raise TilewrightFileError(
-                f"{path} has {spec.nchannels} channels; allowed are 1 to {_MOST_CHANNELS}"
+                f"{path} has {spec.nchannels} channels; allowed are 1 to {_MOST_CHANNELS}", value=path
             )
         wanted = "float" if kind is np.float32 else str(spec.format)
         pixels = source.read_image(0, 0, 0, spec.nchannels, wanted)
@@ -59,7 +60,7 @@ def read_image(path: str | Path) -> NDArray[Any]:
     finally:
         source.close()
     if pixels is None or broken:
-        raise TilewrightFileError(f"{path} is truncated or damaged ({reason})")
+        raise TilewrightFileError(f"{path} is truncated or damaged ({reason})", value=path)
     pixels = pixels.reshape(spec.height, spec.width, -1).astype(kind, copy=False)
     return _upright(pixels, spec.get_int_attribute("Orientation", 1))
 
@@ -68,19 +69,19 @@ def _check_readable(path: Path) -> None:
     """Refuse what is no file, and a damaged PNG before a C library prints its own complaint."""
     try:
         if path.is_dir():
-            raise TilewrightFileError(f"{path} is a folder; an image file is expected")
+            raise TilewrightFileError(f"{path} is a folder; an image file is expected", value=path)
         if not path.exists():
-            raise TilewrightFileError(f"{path} does not exist")
+            raise TilewrightFileError(f"{path} does not exist", value=path)
         if not path.is_file():
-            raise TilewrightFileError(f"{path} is not a plain file; an image file is expected")
+            raise TilewrightFileError(f"{path} is not a plain file; an image file is expected", value=path)
         fault = png_fault(path)
     except TilewrightFileError:
         raise
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
-        raise TilewrightFileError(f"{path} cannot be read: {reason}") from None
+        raise TilewrightFileError(f"{path} cannot be read: {reason}", value=path) from None
     if fault:
-        raise TilewrightFileError(f"{path} is not a whole PNG image ({fault})")
+        raise TilewrightFileError(f"{path} is not a whole PNG image ({fault})", value=path)
 
 
 def png_fault(path: Path) -> str:
@@ -128,13 +129,13 @@ def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
     name only when it is complete.
     """
     path = as_path(path)
-    if not isinstance(pixels, np.ndarray):
-        raise TilewrightTypeError(f"pixels must be an array, not {type(pixels).__name__}")
+    check_type("pixels", pixels, np.ndarray, "an array")
     kind = check_writable(path, pixels.dtype)
     if pixels.ndim != 3 or not 1 <= pixels.shape[2] <= _MOST_CHANNELS or 0 in pixels.shape:
-        raise TilewrightValueError(
-            f"pixels has shape {pixels.shape}; expected (height, width, channels), none of them 0, with "
-            f"1 to {_MOST_CHANNELS} channels"
+        raise shape_error(
+            "pixels",
+            pixels.shape,
+            f"(height, width, channels), none of them 0, with 1 to {_MOST_CHANNELS} channels",
         )
     import OpenImageIO as oiio
 
@@ -149,13 +150,17 @@ def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
     with whole_file(path) as unfinished:
         output = oiio.ImageOutput.create(str(unfinished))
         if output is None:
-            raise TilewrightFileError(f"{path} could not be written ({first_line(oiio.geterror())})")
+            raise TilewrightFileError(
+                f"{path} could not be written ({first_line(oiio.geterror())})", value=path
+            )
         written = output.open(str(unfinished), spec) and output.write_image(np.ascontiguousarray(pixels))
         reason = first_line(output.geterror())
         written = output.close() and written
         # The library does not always report that a disk is full, so the file is read again.
         if not (written and _holds(unfinished, pixels)):
-            raise TilewrightFileError(f"{path} could not be written ({reason or 'is the disk full?'})")
+            raise TilewrightFileError(
+                f"{path} could not be written ({reason or 'is the disk full?'})", value=path
+            )
 
 
 def _holds(path: Path, pixels: NDArray[Any]) -> bool:
@@ -171,7 +176,11 @@ def check_writable(path: Path, kind: np.dtype[Any]) -> str:
     suffix = path.suffix.lower()
     names = {np.dtype(np.uint8): "uint8", np.dtype(np.uint16): "uint16", np.dtype(np.float32): "float"}
     if kind not in names:
-        raise TilewrightTypeError(f"pixels have type {kind}; allowed are uint8, uint16, float32")
+        raise TilewrightTypeError(
+            f"have type {kind}; allowed are uint8, uint16, float32",
+            argument="pixels",
+            allowed="uint8, uint16, float32",
+        )
     allowed = {
         ".png": ("uint8", "uint16"),
         ".tif": ("uint8", "uint16", "float"),
@@ -180,11 +189,15 @@ def check_writable(path: Path, kind: np.dtype[Any]) -> str:
     }
     if suffix not in allowed:
         raise TilewrightValueError(
-            f"{path} {f'ends in {suffix!r}' if suffix else 'has no suffix'}; allowed are {', '.join(allowed)}"
+            f"{path} {(f'ends in {suffix!r}' if suffix else 'has no suffix')}; allowed are "
+            f"{', '.join(allowed)}",
+            value=path,
         )
     if names[kind] not in allowed[suffix]:
         fits = [s for s, kinds in allowed.items() if names[kind] in kinds and s != ".tiff"]
-        raise TilewrightValueError(f"{path}: {suffix} cannot hold {kind} pixels; use {' or '.join(fits)}")
+        raise TilewrightValueError(
+            f"{path}: {suffix} cannot hold {kind} pixels", value=path, advice=f"use {' or '.join(fits)}"
+        )
     return names[kind]
 
 

@@ -65,13 +65,14 @@ def read_head(path: Path) -> Head:
     try:
         head = msgspec.json.decode(_read_text(path), type=Head)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
-        raise TilewrightFileError(f"{path} is damaged: {error}") from None
+        raise TilewrightFileError(f"{path} is damaged: {error}", value=path) from None
     if head.schema > SCHEMA:
         raise TilewrightFileError(
-            f"{path} has schema {head.schema}; this version of tilewright reads up to {SCHEMA}: update it"
+            f"{path} has schema {head.schema}; this version of tilewright reads up to {SCHEMA}: update it",
+            value=path,
         )
     if head.schema < 1:
-        raise TilewrightFileError(f"{path} has schema {head.schema}; expected 1 to {SCHEMA}")
+        raise TilewrightFileError(f"{path} has schema {head.schema}; expected 1 to {SCHEMA}", value=path)
     return head
 
 
@@ -80,16 +81,18 @@ def read_manifest(path: Path, kind: type[M]) -> M:
     try:
         return msgspec.json.decode(_read_text(path), type=kind)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
-        raise TilewrightFileError(f"{path} is damaged: {error}") from None
+        raise TilewrightFileError(f"{path} is damaged: {error}", value=path) from None
 
 
 def _read_text(path: Path) -> bytes:
     if path.exists() and not path.is_file():
-        raise TilewrightFileError(f"{path} is not a plain file")
+        raise TilewrightFileError(f"{path} is not a plain file", value=path)
     try:
         return path.read_bytes()
     except OSError as error:
-        raise TilewrightFileError(f"{path} cannot be read: {(error.strerror or '').lower()}") from None
+        raise TilewrightFileError(
+            f"{path} cannot be read: {(error.strerror or '').lower()}", value=path
+        ) from None
 
 
 def find_objection(folder: Path) -> str:
@@ -151,11 +154,13 @@ class Reader:
         if not self._is_inside(name):
             raise TilewrightFileError(f"{name[:200]!r} leaves the folder; only files inside it may be named")
         if not path.is_file():
-            raise TilewrightFileError(f"{path} is missing")
+            raise TilewrightFileError(f"{path} is missing", value=path)
         if name not in self.checksums:
             raise TilewrightFileError(f"{name!r} has no checksum")
         if hashlib.sha256(path.read_bytes()).hexdigest() != self.checksums[name]:
-            raise TilewrightFileError(f"{path} was changed since the set was made: its checksum is wrong")
+            raise TilewrightFileError(
+                f"{path} was changed since the set was made: its checksum is wrong", value=path
+            )
         return path
 
     def _is_inside(self, name: str) -> bool:

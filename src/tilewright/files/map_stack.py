@@ -48,7 +48,9 @@ def find_maps(folder: str | Path) -> dict[str, Path]:
     try:
         files = sorted(p for p in folder.iterdir() if p.suffix.lower() in _SUFFIXES)
     except OSError as error:
-        raise TilewrightFileError(f"{folder} cannot be read: {(error.strerror or '').lower()}") from None
+        raise TilewrightFileError(
+            f"{folder} cannot be read: {(error.strerror or '').lower()}", value=folder
+        ) from None
     found: dict[str, Path] = {}
     left_out = []
     for file in files:
@@ -58,8 +60,9 @@ def find_maps(folder: str | Path) -> dict[str, Path]:
             continue
         if name in found:
             raise TilewrightFileError(
-                f"{folder} has two files for {name}, {found[name].name} and {file.name}: name those you want "
-                "with --map"
+                f"{folder} has two files for {name}, {found[name].name} and {file.name}",
+                value=folder,
+                advice="name each map you want with its file",
             )
         found[name] = file
     if "normal-dx" in found:
@@ -68,12 +71,14 @@ def find_maps(folder: str | Path) -> dict[str, Path]:
     if not found:
         raise TilewrightFileError(
             f"{folder} has no maps that can be told by name; their files end in _Color, _NormalGL, "
-            "_Roughness, _diff_2k or the like: or name them with --map"
+            "_Roughness, _diff_2k or the like",
+            value=folder,
+            advice="name each map with its file",
         )
     if left_out:
         shown = ", ".join(left_out[:4]) + (f" and {len(left_out) - 4} more" if len(left_out) > 4 else "")
         warnings.warn(
-            f"left out {shown}: their names do not say which maps they are; name them with --map",
+            f"left out {shown}: their names do not say which maps they are; name each with its file",
             TilewrightWarning,
             stacklevel=2,
         )

@@ -12,6 +12,7 @@ from tilewright.checks import check_int
 from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightTypeError, TilewrightValueError
 from tilewright.files.atomic import as_path, check_file, whole_file
 from tilewright.samplers.box import Box, as_points
+from tilewright.samplers.feasibility import check_box
 from tilewright.samplers.point_set import PointSet
 
 if TYPE_CHECKING:
@@ -50,18 +51,25 @@ def write_points(path: str | Path, points: PointSet | ArrayLike | Blocks, count:
         table = as_points(points)  # type: ignore[arg-type]
         blocks, number = [table], len(table)
     elif not isinstance(points, Iterable):
-        raise TilewrightTypeError(f"points must be a PointSet or points, not {type(points).__name__}")
+        raise TilewrightTypeError(
+            f"must be a PointSet or points, not {type(points).__name__}",
+            argument="points",
+            value=points,
+            allowed="a PointSet or points",
+        )
     elif count is not None:
         number = check_int("count", count, 0, 2**40)
     elif target.suffix.lower() in (".npy", ".ply"):
         raise TilewrightTypeError(
-            f"count is needed: {target.suffix} says how many points come before the first"
+            f"is needed: {target.suffix} says how many points come before the first", argument="count"
         )
     with whole_file(target) as unfinished:
         written = _Counted(blocks)  # type: ignore[arg-type]
         _WRITERS[target.suffix.lower()](unfinished, written, number or 0, box)
         if number is not None and written.rows != number:
-            raise TilewrightValueError(f"count is {number} and {written.rows} points came")
+            raise TilewrightValueError(
+                f"is {number} and {written.rows} points came", argument="count", value=number
+            )
 
 
 def _is_table(points: Any) -> bool:
@@ -89,7 +97,9 @@ def check_point_file(path: str | Path) -> Path:
     """A path `write_points` can write to, told before long work."""
     target = as_path(path)
     if target.suffix.lower() not in _WRITERS:
-        raise TilewrightFileError(f"{target} is not the name of a point file; use {', '.join(_WRITERS)}")
+        raise TilewrightFileError(
+            f"{target} is not the name of a point file", value=target, advice=f"use {', '.join(_WRITERS)}"
+        )
     check_file(target)
     return target
 
@@ -110,13 +120,15 @@ def read_points(path: str | Path, box: Box | None = None) -> PointSet:
     TilewrightFileError
         No such file, one of another kind, damaged, with fewer than two columns, text, or NaN.
     """
-    if box is not None and not isinstance(box, Box):
-        raise TilewrightTypeError(f"box must be a Box, not {box!r}; Box((width, height)) makes one")
+    if box is not None:
+        check_box(box)
     source = as_path(path)
     if source.suffix.lower() not in _READERS:
-        raise TilewrightFileError(f"{source} is not a point file; {', '.join(_READERS)} can be read")
+        raise TilewrightFileError(
+            f"{source} is not a point file; {', '.join(_READERS)} can be read", value=source
+        )
     if not source.is_file():
-        raise TilewrightFileError(f"{source} is not a file")
+        raise TilewrightFileError(f"{source} is not a file", value=source)
     try:
         table, noted = _READERS[source.suffix.lower()](source)
         points = as_points(_two_columns(table))
@@ -127,14 +139,16 @@ def read_points(path: str | Path, box: Box | None = None) -> PointSet:
         found = box or noted or Box()
         return PointSet(found.check_points(points), found, source.stem)
     except TilewrightError as error:
-        raise TilewrightFileError(f"{source}: {error}") from None
+        raise TilewrightFileError(f"{source}: {error}", value=source) from None
     except OSError as error:
         raise TilewrightFileError(
-            f"{source} cannot be read: {(error.strerror or str(error)).lower()}"
+            f"{source} cannot be read: {(error.strerror or str(error)).lower()}", value=source
         ) from None
     except Exception as error:  # of parsers of three libraries
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise TilewrightFileError(f"{source} is damaged or not what its name says: {reason}") from None
+        raise TilewrightFileError(
+            f"{source} is damaged or not what its name says: {reason}", value=source
+        ) from None
 
 
 def _write_npy(path: Path, blocks: Blocks, count: int, box: Box | None) -> None:
@@ -275,7 +289,7 @@ def _put_in_box(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], Box]:
     size = high - low
     if not (size > 0).all():
         raise TilewrightValueError(
-            "all points lie on a line along an axis; give the box they are meant to fill"
+            "all points lie on a line along an axis", advice="give the box they are meant to fill"
         )
     margin = 0.5 * np.sqrt(size.prod() / len(points))
     box = Box(tuple((size + 2 * margin).tolist()), torus=False)

@@ -61,10 +61,14 @@ def read_point_tiles(folder: Path, manifest: PointManifest) -> PointTiles:
         with np.load(path, allow_pickle=False) as stored:
             arrays = {name: stored[name] for name in _ARRAYS}
     except (ValueError, KeyError, BadZipFile, EOFError) as error:
-        raise TilewrightFileError(f"{path} does not hold the arrays {', '.join(_ARRAYS)}: {error}") from None
+        raise TilewrightFileError(
+            f"{path} does not hold the arrays {', '.join(_ARRAYS)}: {error}", value=path
+        ) from None
     for name, kind in _ARRAYS.items():
         if arrays[name].dtype != kind:
-            raise TilewrightFileError(f"{path}: {name} is {arrays[name].dtype}; expected {np.dtype(kind)}")
+            raise TilewrightFileError(
+                f"{path}: {name} is {arrays[name].dtype}; expected {np.dtype(kind)}", value=path
+            )
     return PointTiles(
         manifest.tiles.make(),
         arrays["points"],

@@ -30,8 +30,9 @@ def ready_tiles(colors: int = 4, points: int = 32, rho: float = 0.75) -> PointTi
     if wanted not in READY:
         known = "; ".join(f"{c}, {n}, {r:.2f}" for c, n, r in READY)
         raise TilewrightValueError(
-            f"no set of {colors} colors, {points} points and rho {rho} comes with the package; there are "
-            f"{known}, and poisson_tiles() makes any other"
+            f"no set of {colors} colors, {points} points and rho {rho} comes with the package",
+            allowed=known,
+            advice=f"there are {known}, and poisson_tiles() makes any other",
         )
     with as_file(files("tilewright.files") / "stored_tiles" / folder_name(*wanted)) as folder:
         return load_points(folder)

@@ -43,12 +43,12 @@ def read_arrays(path: str | Path, names: Sequence[str], what: str) -> dict[str, 
 
 def _read(path: Path, what: str, read: Callable[[], Read]) -> Read:
     if path.is_dir():
-        raise TilewrightFileError(f"{path} is a folder; expected {what}")
+        raise TilewrightFileError(f"{path} is a folder; expected {what}", value=path)
     if not path.exists():
-        raise TilewrightFileError(f"{path} does not exist")
+        raise TilewrightFileError(f"{path} does not exist", value=path)
     if not path.stat().st_size:
-        raise TilewrightFileError(f"{path} is empty; expected {what}")
+        raise TilewrightFileError(f"{path} is empty; expected {what}", value=path)
     try:
         return read()
     except (OSError, ValueError, KeyError, TypeError, AttributeError, EOFError, BadZipFile):
-        raise TilewrightFileError(f"{path} does not hold {what}") from None
+        raise TilewrightFileError(f"{path} does not hold {what}", value=path) from None

@@ -6,7 +6,8 @@ The format is described in ``docs/tileset-folder.md``.
 import os
 from pathlib import Path
 
-from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightTypeError
+from tilewright.checks import check_type
+from tilewright.errors import TilewrightError, TilewrightFileError
 from tilewright.files.atomic import MANIFEST, as_path, check_folder, whole_folder
 from tilewright.files.manifest import find_objection, read_head, read_manifest
 from tilewright.files.points_folder import PointManifest, read_point_tiles, write_point_tiles
@@ -26,10 +27,7 @@ def save(material: TextureTiles | PointTiles, folder: str | Path) -> None:
     TilewrightFileError
         The folder cannot be written, or the disk is full; nothing half-written is left.
     """
-    if not isinstance(material, (TextureTiles, PointTiles)):
-        raise TilewrightTypeError(
-            f"material must be TextureTiles or PointTiles, not {type(material).__name__}"
-        )
+    check_type("material", material, (TextureTiles, PointTiles), "TextureTiles or PointTiles")
     with whole_folder(folder, find_objection) as unfinished:
         if isinstance(material, TextureTiles):
             write_texture(unfinished, material)
@@ -53,7 +51,9 @@ def load(folder: str | Path) -> TextureTiles | PointTiles:
     """
     folder = as_path(folder)
     if not os.path.isdir(folder):
-        raise TilewrightFileError(f"{folder} is not a folder; a tile-set folder with {MANIFEST} is expected")
+        raise TilewrightFileError(
+            f"{folder} is not a folder; a tile-set folder with {MANIFEST} is expected", value=folder
+        )
     manifest = folder / MANIFEST
     signal = read_head(manifest).signal
     try:
@@ -61,14 +61,16 @@ def load(folder: str | Path) -> TextureTiles | PointTiles:
             return read_texture(folder, read_manifest(manifest, TextureManifest))
         if signal == "points":
             return read_point_tiles(folder, read_manifest(manifest, PointManifest))
-        raise TilewrightFileError(f"{manifest} has signal {signal!r}; expected 'texture' or 'points'")
+        raise TilewrightFileError(
+            f"{manifest} has signal {signal!r}; expected 'texture' or 'points'", value=manifest
+        )
     except TilewrightError as error:
         message = str(error)
         prefix = "" if message.startswith(str(folder)) else f"{manifest}: "
-        raise TilewrightFileError(prefix + message) from None
+        raise TilewrightFileError(prefix + message, value=folder) from None
     except OSError as error:
         raise TilewrightFileError(
-            f"{folder} cannot be read: {(error.strerror or str(error)).lower()}"
+            f"{folder} cannot be read: {(error.strerror or str(error)).lower()}", value=folder
         ) from None
 
 
@@ -76,7 +78,9 @@ def load_texture(folder: str | Path) -> TextureTiles:
     """`load`, if the folder holds texture tiles."""
     material = load(folder)
     if not isinstance(material, TextureTiles):
-        raise TilewrightFileError(f"{folder} holds points; a folder of texture tiles is expected")
+        raise TilewrightFileError(
+            f"{folder} holds points; a folder of texture tiles is expected", value=folder
+        )
     return material
 
 
@@ -84,5 +88,7 @@ def load_points(folder: str | Path) -> PointTiles:
     """`load`, if the folder holds point tiles."""
     tiles = load(folder)
     if not isinstance(tiles, PointTiles):
-        raise TilewrightFileError(f"{folder} holds a texture; a folder of point tiles is expected")
+        raise TilewrightFileError(
+            f"{folder} holds a texture; a folder of point tiles is expected", value=folder
+        )
     return tiles

@@ -198,7 +198,8 @@ class Film:
 def _check_number(particles: int) -> None:
     if particles > MOST_PARTICLES:
         raise TilewrightValueError(
-            f"more than {MOST_PARTICLES:,} particles would be alive; let tiles emit less or kill more"
+            f"more than {MOST_PARTICLES:,} particles would be alive",
+            advice="let tiles emit less or kill more",
         )
 
 

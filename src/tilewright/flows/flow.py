@@ -7,8 +7,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, check_int, check_progress
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import as_cells, check_flag, check_int, check_progress
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.flows.crowd import MOST_PARTICLES, NOBODY, Crowd, Film
 from tilewright.flows.tiles import FLOW_TILES, FlowTile, check_tiles, strew_tiles
 
@@ -199,13 +199,14 @@ def simulate_flow(
     check_int("every", every, 1, _MOST_STEPS)
     check_progress(progress)
     for name, flag in (("torus", torus), ("leaves", leaves), ("turns_back", turns_back)):
-        if not isinstance(flag, (bool, np.bool_)):
-            raise TilewrightTypeError(f"{name} must be True or False, not {flag!r}")
+        check_flag(name, flag)
     if torus and leaves:
-        raise TilewrightValueError("leaves is True; a torus has no border to leave by, give torus=False")
+        raise TilewrightValueError(
+            "is True; a torus has no border to leave by, give torus=False", argument="leaves"
+        )
     if not (torus or leaves) and min(given.shape) < 2:
         raise TilewrightValueError(
-            f"cells are {given.shape[1]} x {given.shape[0]}; closed borders need at least 2 x 2"
+            f"are {given.shape[1]} x {given.shape[0]}; closed borders need at least 2 x 2", argument="cells"
         )
     times = np.minimum(np.arange(0, steps + every, every), steps)
     crowd = Crowd(given, kinds, 0 if torus else 1 + leaves, turns_back, seed)
@@ -232,11 +233,11 @@ def simulate_flow(
 
 
 def _check_cells(cells: ArrayLike, tiles: tuple[FlowTile, ...]) -> NDArray[np.uint8]:
-    given = as_integers("cells", cells)
-    if given.ndim != 2 or given.size == 0:
-        raise TilewrightValueError(f"cells have shape {given.shape}; expected (height, width), neither 0")
+    given = as_cells(cells)
     check_int("the number of cells", given.size, 1, _MOST_CELLS)
     for number in (int(given.min()), int(given.max())):
         if not 0 <= number < len(tiles):
-            raise TilewrightValueError(f"cells hold tile {number}; tiles are 0 to {len(tiles) - 1}")
+            raise TilewrightValueError(
+                f"hold tile {number}; tiles are 0 to {len(tiles) - 1}", argument="cells", value=number
+            )
     return np.array(given, np.uint8, order="C")  # its own: a flow is looked at later

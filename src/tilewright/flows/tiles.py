@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, brief, check_choice, check_int, check_real
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import as_cells, check_choice, check_int, check_real, type_error
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, brief
 from tilewright.seeds import derive_key, make_key
 from tilewright.tilings.hashes import MixerHash
 
@@ -54,11 +54,16 @@ FLOW_TILES = (FlowTile("-"), FlowTile("|"))
 def check_tiles(tiles: Sequence[FlowTile], most: int = 256) -> tuple[FlowTile, ...]:
     """The tiles that stand for the numbers 0, 1, ... of cells."""
     if not isinstance(tiles, Sequence):
-        raise TilewrightTypeError(f"tiles must be a sequence of FlowTile objects, not {brief(tiles)}")
+        raise type_error("tiles", tiles, "a sequence of FlowTile objects")
     kinds = tuple(tiles)
     for tile in kinds:
         if not isinstance(tile, FlowTile):
-            raise TilewrightTypeError(f"tiles must hold FlowTile objects, not {brief(tile)}")
+            raise TilewrightTypeError(
+                f"must hold FlowTile objects, not {brief(tile)}",
+                argument="tiles",
+                value=tile,
+                allowed="FlowTile objects",
+            )
     check_int("the number of tiles", len(kinds), 1, most)
     return kinds
 
@@ -98,13 +103,13 @@ def strew_tiles(
     tiles : tuple of FlowTile
         Five times as many as given.
     """
-    given = as_integers("cells", cells)
+    given = as_cells(cells)
     plain = check_tiles(tiles, 51)
     count = len(plain)
-    if given.ndim != 2 or given.size == 0:
-        raise TilewrightValueError(f"cells have shape {given.shape}; expected (height, width), neither 0")
     if given.min() < 0 or given.max() >= count:
-        raise TilewrightValueError(f"cells hold {given.min()} to {given.max()}; tiles are 0 to {count - 1}")
+        raise TilewrightValueError(
+            f"hold {given.min()} to {given.max()}; tiles are 0 to {count - 1}", argument="cells"
+        )
     shares = []
     for name, share in (("emitting", emitting), ("killing", killing), ("slow", slow), ("fast", fast)):
         shares.append(check_real(f"the share of {name} cells", share, 0, 1))

@@ -162,7 +162,9 @@ def check_reach(x: float, y: float, tile_size: int, span: float) -> None:
             <= (LARGEST_CELL - _FARTHEST * 16) * tile_size
         ):
             raise TilewrightValueError(
-                f"{name} is {value}; cells reach to +-2^61, which is {LARGEST_CELL * tile_size} texels"
+                f"is {value}; cells reach to +-2^61, which is {LARGEST_CELL * tile_size} texels",
+                argument=name,
+                value=value,
             )
 
 

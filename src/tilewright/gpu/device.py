@@ -146,7 +146,9 @@ def open_gpu() -> Gpu:
     try:
         import wgpu
     except ImportError:
-        raise GpuError("drawing on a GPU needs wgpu; install it with: pip install tilewright[gpu]") from None
+        raise GpuError(
+            "drawing on a GPU needs wgpu", advice="install it with: pip install tilewright[gpu]"
+        ) from None
     with _runtime_folder():
         try:
             adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")
@@ -154,8 +156,8 @@ def open_gpu() -> Gpu:
             adapter = None
     if adapter is None:
         raise GpuError(
-            "no GPU was found; install its Vulkan driver, or Mesa's software one: "
-            "apt-get install mesa-vulkan-drivers"
+            "no GPU was found",
+            advice="install its Vulkan driver, or Mesa's software one: apt-get install mesa-vulkan-drivers",
         )
     return Gpu(wgpu, adapter)
 

@@ -89,7 +89,8 @@ def check_tiling(tiling: Tiling) -> DirectTiling:
     """The tiling, if a shader can evaluate it."""
     if not isinstance(tiling, DirectTiling) or tiling.algorithm not in ("corners", "edges"):
         raise TilewrightValueError(
-            "the tiling is not one that a GPU evaluates; use direct(tiles, seed), with wang='edge-hash'"
+            "the tiling is not one that a GPU evaluates",
+            advice="use direct(tiles, seed), with wang='edge-hash'",
         )
     if any(period is not None for period in tiling.domain.periods):
         raise TilewrightValueError(

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import GpuError, TilewrightTypeError
+from tilewright.checks import check_type
+from tilewright.errors import GpuError
 from tilewright.gpu.cameras import Camera, Sight
 from tilewright.gpu.device import Gpu
 from tilewright.gpu.pixels import PixelFormat
@@ -26,7 +27,8 @@ class Painter:
         _check_fits(layout, gpu)
         if pixels.target_dtype == np.float32 and not gpu.filters_floats:
             raise GpuError(
-                f"{gpu.name} cannot filter 32-bit floats, which {pixels.dtype} maps need; make them uint8"
+                f"{gpu.name} cannot filter 32-bit floats, which {pixels.dtype} maps need",
+                advice="make them uint8",
             )
         self._gpu, self._pixels = gpu, pixels
         fragment = assemble(hash, layout.parts, read_part("field.frag"), layout.defines)
@@ -47,10 +49,7 @@ class Painter:
 
     def paint(self, camera: Camera, tile_size: int, view: Callable[[Sight], bytes]) -> NDArray[Any]:
         """The picture of a camera; ``view`` makes the shader's view of what a block sees."""
-        if not isinstance(camera, Camera):
-            raise TilewrightTypeError(
-                f"camera must be an OrthographicCamera or a PerspectiveCamera, not {type(camera).__name__}"
-            )
+        check_type("camera", camera, Camera, "an OrthographicCamera or a PerspectiveCamera")
         picture = np.empty((camera.height, camera.width, self._pixels.channels), self._pixels.dtype)
         for top in range(0, camera.height, BLOCK):
             for left in range(0, camera.width, BLOCK):
@@ -76,10 +75,12 @@ def _check_fits(layout: Layout, gpu: Gpu) -> None:
         layers, *sides, _ = mips.levels[0].shape
         if max(sides) > gpu.longest_side:
             raise GpuError(
-                f"the {layout.name} is {sides[1]} x {sides[0]} texels, {gpu.name} takes {gpu.longest_side} "
-                "along a side; use fewer colors or smaller tiles"
+                f"the {layout.name} is {sides[1]} x {sides[0]} texels, {gpu.name} takes "
+                f"{gpu.longest_side} along a side",
+                advice="use fewer colors or smaller tiles",
             )
         if layers > gpu.most_layers:
             raise GpuError(
-                f"the array has {layers} layers, {gpu.name} takes {gpu.most_layers}; use layout='atlas'"
+                f"the array has {layers} layers, {gpu.name} takes {gpu.most_layers}",
+                advice="use layout='atlas'",
             )

@@ -5,8 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice
-from tilewright.errors import TilewrightValueError
+from tilewright.checks import check_choice, shape_error
 from tilewright.gpu.cameras import Camera, Sight
 from tilewright.gpu.device import open_gpu
 from tilewright.gpu.painter import Painter
@@ -30,9 +29,7 @@ class GpuPicture:
     def __init__(self, pixels: NDArray[Any], kind: str = "color") -> None:
         check_choice("kind", kind, KINDS)
         if not isinstance(pixels, np.ndarray) or pixels.ndim != 3 or pixels.shape[0] != pixels.shape[1]:
-            raise TilewrightValueError(
-                f"pixels has shape {np.shape(pixels)}; expected a square (side, side, channels)"
-            )
+            raise shape_error("pixels", np.shape(pixels), "a square (side, side, channels)")
         self._side = len(pixels)
         form = PixelFormat.of(pixels, kind)
         self._painter = Painter(open_gpu(), plain_layout(pixels, kind), None, form)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice
+from tilewright.checks import check_choice, check_type, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.files.images import read_image
 from tilewright.files.map_stack import find_maps, tell_green
@@ -62,7 +62,9 @@ def open_exemplar(
         Maps that cannot belong together: sizes, NaN, a map of normals that holds none.
     """
     if second is None and second_mask is not None:
-        raise TilewrightValueError("second_mask is for a second photograph; give second too")
+        raise TilewrightValueError(
+            "is for a second photograph", argument="second_mask", advice="give second too"
+        )
     meaning = _Meaning(kinds, normal, flatten)
     prepared, settled = _prepare([photo] if second is None else [photo, second], meaning)
     masks = [_open_mask(mask)] + ([] if second is None else [_open_mask(second_mask)])
@@ -100,11 +102,11 @@ def add_maps(
     """
     from tilewright.signals.textures.seams import copy_maps
 
-    if not isinstance(material, TextureTiles):
-        raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+    check_type("material", material, TextureTiles, "TextureTiles")
     if (second is not None) != (len(material.sources) == 2):
         raise TilewrightValueError(
-            f"the material is made from {len(material.sources)} photographs; give maps for each of them"
+            f"the material is made from {len(material.sources)} photographs",
+            advice="give maps for each of them",
         )
     sizes = [next(iter(s.values())).shape[:2] for s in material.sources]
     meaning = _Meaning(kinds, normal, flatten)
@@ -130,7 +132,7 @@ class _Meaning:
         if normal is not None:
             check_choice("normal", normal, ("gl", "dx"))
         if not isinstance(flatten, bool):
-            raise TilewrightTypeError(f"flatten must be True or False, not {flatten!r}")
+            raise type_error("flatten", flatten, "True or False")
         self.kinds, self.normal, self.flatten = kinds, normal, flatten
 
     def known(self, photo: Photo, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
@@ -142,13 +144,18 @@ class _Meaning:
         if self.normal is not None:
             if not normals:
                 raise TilewrightValueError(
-                    f"normal is {self.normal!r}, and none of the maps holds normals: {', '.join(maps)}"
+                    f"is {self.normal!r}, and none of the maps holds normals: {', '.join(maps)}",
+                    argument="normal",
+                    value=self.normal,
                 )
             told |= dict.fromkeys(normals, f"normal-{self.normal}")
         for name, kind in (self.kinds or {}).items():
             if self.normal is not None and is_normal(kind) and kind != told[name]:
                 raise TilewrightValueError(
-                    f"map {name!r} is {kind} by kinds and {self.normal} by normal; say one"
+                    f"is {kind} by kinds and {self.normal} by normal",
+                    argument=f"map {name!r}",
+                    value=kind,
+                    advice="say one",
                 )
             told[name] = kind
         return told
@@ -254,7 +261,7 @@ def texture_tiles(
 def _list_maps(photo: Photo, what: str) -> Mapping[str, Picture]:
     if isinstance(photo, Mapping):
         if not photo:
-            raise TilewrightValueError(f"{what} is an empty dict; at least one map is needed")
+            raise TilewrightValueError("is an empty dict; at least one map is needed", argument=what)
         return photo
     if isinstance(photo, (str, Path)) and Path(photo).is_dir():
         return find_maps(photo)
@@ -277,7 +284,12 @@ def _open(picture: Picture, what: str) -> NDArray[Any]:
         return read_image(picture)
     if isinstance(picture, np.ndarray):
         return picture
-    raise TilewrightTypeError(f"{what} must be a path or an array, not {type(picture).__name__}")
+    raise TilewrightTypeError(
+        f"must be a path or an array, not {type(picture).__name__}",
+        argument=what,
+        value=picture,
+        allowed="a path or an array",
+    )
 
 
 def _fit_mask(mask: NDArray[np.bool_] | None, maps: Mapping[str, NDArray[Any]]) -> NDArray[np.bool_] | None:
@@ -299,7 +311,10 @@ def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:
         return pixels
     if pixels.dtype.kind not in "uf" or not np.isfinite(pixels).all():
         raise TilewrightTypeError(
-            f"mask holds {pixels.dtype}; allowed are bool, unsigned integers, and floats without NaN"
+            f"holds {pixels.dtype}; allowed are bool, unsigned integers, and floats without NaN",
+            argument="mask",
+            value=pixels.dtype,
+            allowed="bool, unsigned integers, and floats without NaN",
         )
     white = np.iinfo(pixels.dtype).max if pixels.dtype.kind == "u" else 1
     if pixels.ndim == 3:  # grey or color, either of them with alpha, which does not count

@@ -6,7 +6,7 @@ from math import inf, prod
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_real
+from tilewright.checks import check_flag, check_real, shape_error, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 _SMALLEST, _LARGEST = 1e-100, 1e100
@@ -34,9 +34,8 @@ class Box:
 
     def __post_init__(self) -> None:
         if not isinstance(self.extent, (tuple, list, np.ndarray)) or len(self.extent) not in (2, 3):
-            raise TilewrightTypeError(f"extent must be two or three numbers, x first, not {self.extent!r}")
-        if not isinstance(self.torus, (bool, np.bool_)):
-            raise TilewrightTypeError(f"torus must be True or False, not {self.torus!r}")
+            raise type_error("extent", self.extent, "two or three numbers, x first")
+        check_flag("torus", self.torus)
         names = ("width", "height", "depth")
         sizes = (check_real(n, e, _SMALLEST, _LARGEST) for n, e in zip(names, self.extent, strict=False))
         object.__setattr__(self, "extent", tuple(sizes))
@@ -63,7 +62,9 @@ class Box:
         if outside.any():
             at = int(np.argmax(outside))
             raise TilewrightValueError(
-                f"point {at} is {tuple(given[at].tolist())}, outside the domain from 0 up to {self.extent}"
+                f"is {tuple(given[at].tolist())}, outside the domain from 0 up to {self.extent}",
+                argument=f"point {at}",
+                value=tuple(given[at].tolist()),
             )
         return given
 
@@ -73,11 +74,19 @@ def as_points(points: ArrayLike, dimension: int = 2) -> NDArray[np.float64]:
     try:
         given = np.ascontiguousarray(points, np.float64)
     except (TypeError, ValueError):
-        raise TilewrightTypeError("points must be numbers, one row for each point") from None
+        raise TilewrightTypeError(
+            "must be numbers, one row for each point",
+            argument="points",
+            allowed="numbers, one row for each point",
+        ) from None
     if given.ndim != 2 or given.shape[1] != dimension:
-        raise TilewrightValueError(f"points has shape {given.shape}; expected (N, {dimension})")
+        raise shape_error("points", given.shape, f"(N, {dimension})")
     bad = ~np.isfinite(given).all(axis=1)
     if bad.any():
         at = int(np.argmax(bad))
-        raise TilewrightValueError(f"point {at} is {tuple(given[at].tolist())}; coordinates must be finite")
+        raise TilewrightValueError(
+            f"is {tuple(given[at].tolist())}; coordinates must be finite",
+            argument=f"point {at}",
+            value=tuple(given[at].tolist()),
+        )
     return given

@@ -63,7 +63,9 @@ def sample_elimination(
     else:
         points = domain.check_points(start.points if isinstance(start, PointSet) else start)
         if len(points) < n:
-            raise TilewrightValueError(f"count is {n} but start has {len(points)} points to choose from only")
+            raise TilewrightValueError(
+                f"is {n} but start has {len(points)} points to choose from only", argument="count", value=n
+            )
     kept = np.arange(len(points))
     kept, _ = _eliminate(points, kept, n, domain, progress)
     if progressive:

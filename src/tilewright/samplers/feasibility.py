@@ -4,8 +4,8 @@ import os
 from math import sqrt
 from typing import Any
 
-from tilewright.checks import check_int, check_real
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_int, check_real, type_error
+from tilewright.errors import TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import LARGEST_COUNT, cell_volume, max_radius
 
@@ -15,9 +15,13 @@ def check_box(box: Any, *, plane: str = "") -> Box:
     if box is None:
         return Box()
     if not isinstance(box, Box):
-        raise TilewrightTypeError(f"box must be a Box, not {box!r}; Box((width, height)) makes one")
+        raise type_error("box", box, "a Box", "Box((width, height)) makes one")
     if plane and box.dimension != 2:
-        raise TilewrightValueError(f"box has {box.dimension} dimensions; {plane} works in planes only")
+        raise TilewrightValueError(
+            f"has {box.dimension} dimensions; {plane} works in planes only",
+            argument="box",
+            value=box.dimension,
+        )
     return box
 
 
@@ -33,8 +37,8 @@ def check_memory(what: str, needed: float) -> None:
     present = _physical_memory()
     if needed > present:
         raise TilewrightValueError(
-            f"{what}; that takes about {needed / 2**30:.3g} GiB and this machine has "
-            f"{present / 2**30:.3g}; tiles give such sets a window at a time"
+            f"{what}; that takes about {needed / 2**30:.3g} GiB and this machine has {present / 2**30:.3g}",
+            advice="tiles give such sets a window at a time",
         )
 
 
@@ -48,8 +52,10 @@ def check_distance(rho: Any, count: int, box: Box, low: float = 0.0) -> float:
     if box.torus and distance > min(box.extent):
         reached = fraction * min(box.extent) / distance
         raise TilewrightValueError(
-            f"rho is {fraction}; for a count of {count} the torus is so narrow that points meet their own "
-            f"images, so {_round_down(reached)} can be reached"
+            f"is {fraction}; for a count of {count} the torus is so narrow that points meet their own "
+            f"images, so {_round_down(reached)} can be reached",
+            argument="rho",
+            value=fraction,
         )
     return distance
 
@@ -87,7 +93,7 @@ def most_points(distance: float, box: Box, bytes_each: int) -> int:
     what = f"points {distance:.3g} apart may be up to {most:.3g} in the box"
     if most > LARGEST_COUNT:
         raise TilewrightValueError(
-            f"{what}, the limit is {LARGEST_COUNT}; ask for more rho, fewer points or a wider box"
+            f"{what}, the limit is {LARGEST_COUNT}", advice="ask for more rho, fewer points or a wider box"
         )
     check_memory(what, most * bytes_each)
     return int(most)
@@ -97,8 +103,10 @@ def too_full(rho: float, placed: int, count: int, dimension: int, advice: str) -
     """What to say when there is room for ``placed`` of ``count`` points only."""
     reached = _round_down(rho * (placed / count) ** (1 / dimension))
     return TilewrightValueError(
-        f"rho is {rho}; there was room for {placed} of {count} points, so about {reached} can be reached; "
-        f"{advice}"
+        f"is {rho}; there was room for {placed} of {count} points, so about {reached} can be reached",
+        argument="rho",
+        value=rho,
+        advice=advice,
     )
 
 

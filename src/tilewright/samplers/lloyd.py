@@ -75,7 +75,10 @@ def lloyd_relaxation(
         points = moved
     if nearest.min() < wanted:
         raise TilewrightValueError(
-            f"rho is {rho}; {most} iterations came to {max(reached):.3f}; allow more iterations or less rho"
+            f"is {rho}; {most} iterations came to {max(reached):.3f}",
+            argument="rho",
+            value=rho,
+            advice="allow more iterations or less rho",
         )
     figures = {"iterations": len(reached) - 1, "rho": reached}
     return PointSet(points, domain, "lloyd", wanted, figures)
@@ -117,12 +120,19 @@ def _start(
         return relaxation_darts(n, seed=seed, box=box, progress=progress).points
     points = box.check_points(start.points if isinstance(start, PointSet) else start)
     if not len(points):
-        raise TilewrightValueError("start has no points; give at least one")
+        raise TilewrightValueError("has no points", argument="start", advice="give at least one")
     if count is not None and check_count(count, 200) != len(points):
-        raise TilewrightValueError(f"count is {count} but start has {len(points)} points; leave out count")
+        raise TilewrightValueError(
+            f"is {count} but start has {len(points)} points",
+            argument="count",
+            value=count,
+            advice="leave out count",
+        )
     _, inverse = np.unique(points, axis=0, return_inverse=True)
     if inverse.max() + 1 < len(points):
         same = int(np.flatnonzero(np.bincount(inverse) > 1)[0])
         first, second = np.flatnonzero(inverse == same)[:2].tolist()
-        raise TilewrightValueError(f"points {first} and {second} of start are at the same place; move one")
+        raise TilewrightValueError(
+            f"points {first} and {second} of start are at the same place", advice="move one"
+        )
     return points

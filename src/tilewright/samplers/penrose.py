@@ -92,7 +92,9 @@ def penrose_points(
     domain = Box(torus=False) if box is None else check_box(box, plane="the Penrose method")
     if domain.torus:
         raise TilewrightValueError(
-            f"box is a torus; Penrose points do not go around one; give Box({domain.extent}, torus=False)"
+            "is a torus; Penrose points do not go around one",
+            argument="box",
+            advice=f"give Box({domain.extent}, torus=False)",
         )
     n = check_count(count, 400)
     window = Window.choose(domain, seed)

@@ -60,8 +60,9 @@ def check_set(tiles: TileSet) -> None:
     """Raise unless shaders can lay a set."""
     if tiles.shape not in (CORNER, WANG) or not tiles.is_complete:
         raise TilewrightValueError(
-            f"on a GPU there are complete sets of corner tiles and Wang tiles, not the {tiles.name} set of "
-            f"{len(tiles)} {tiles.shape.name} tiles; make the texture over corner_tiles()"
+            f"on a GPU there are complete sets of corner tiles and Wang tiles, not the {tiles.name} set "
+            f"of {len(tiles)} {tiles.shape.name} tiles",
+            advice="make the texture over corner_tiles()",
         )
 
 
@@ -74,7 +75,8 @@ def make_layout(material: TextureTiles, layout: str | None, map: str | None) -> 
     if tiles.shape is WANG:
         if layout == "array":
             raise TilewrightValueError(
-                "layout is 'array'; Wang tiles need 'atlas', as their corners are those of four tiles"
+                "is 'array'; Wang tiles need 'atlas', as their corners are those of four tiles",
+                argument="layout",
             )
         return _wei(material, map)
     return _array(material, map) if layout == "array" else _atlas(material, map)

@@ -112,7 +112,12 @@ def atlas_mipmaps(material: TextureTiles, cells: NDArray[Any], map: str | None =
     name = check_map_name(material, map)
     cells = np.asarray(cells)
     if cells.ndim != 2 or cells.dtype.kind not in "iu":
-        raise TilewrightTypeError(f"cells must be a table of tile indices, not {cells.dtype} {cells.shape}")
+        raise TilewrightTypeError(
+            f"must be a table of tile indices, not {cells.dtype} {cells.shape}",
+            argument="cells",
+            value=cells.dtype,
+            allowed="a table of tile indices",
+        )
     shared = Shared(material.tiles)
 
     def values(name: str) -> Iterator[tuple[Values, bool]]:

@@ -65,8 +65,10 @@ def aperiodic_tiles(name: str = "jeandel-rao-11-5") -> TileSet:
     """
     if isinstance(name, str) and name in PUBLISHED_ONLY:
         raise TilewrightValueError(
-            f"name is {name!r}; of this set only its size is known here: nobody's transcription of its tiles "
-            f"was found. Allowed are {', '.join(APERIODIC_SETS)}"
+            f"is {name!r}; of this set only its size is known here: nobody's transcription of its tiles "
+            f"was found. Allowed are {', '.join(APERIODIC_SETS)}",
+            argument="name",
+            value=name,
         )
     return _make(check_choice("name", name, tuple(APERIODIC_SETS)))
 

@@ -46,7 +46,12 @@ def possible_blocks(tiles: TileSet, size: int, margin: int = 0) -> Blocks:
         There are more than 2 million blocks on the way.
     """
     if check_tiles("tiles", tiles).shape.dimension != 2:
-        raise TilewrightValueError(f"tiles must be square tiles, not {tiles.shape.name} ones")
+        raise TilewrightValueError(
+            f"must be square tiles, not {tiles.shape.name} ones",
+            argument="tiles",
+            value=tiles.shape.name,
+            allowed="square tiles",
+        )
     check_int("size", size, 1, LARGEST_BLOCK)
     check_int("margin", margin, 0, LARGEST_BLOCK)
     found: Blocks = np.arange(len(tiles), dtype=np.int32).reshape(-1, 1, 1)
@@ -126,8 +131,8 @@ def _following(tiles: TileSet, axis: int, blocks: Blocks) -> tuple[NDArray[np.in
     pairs = count_pairs(first, second)
     if pairs > _MOST_BLOCKS:
         raise TilewrightValueError(
-            f"the {tiles.name} set has {pairs} blocks that may occur, more than {_MOST_BLOCKS}; "
-            "ask for smaller ones, or a smaller margin"
+            f"the {tiles.name} set has {pairs} blocks that may occur, more than {_MOST_BLOCKS}",
+            advice="ask for smaller ones, or a smaller margin",
         )
     return join(first, second)
 

@@ -56,7 +56,9 @@ def check_bricks(name: str, given: Any) -> TileSet:
     n = tiles.colors[0]
     if not 2 <= n <= MOST_FAMILY_COLORS or not np.array_equal(tiles.slots, brick_tiles(n).slots):
         raise TilewrightValueError(
-            f"{name} is the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; take brick_tiles(n)"
+            f"is the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles",
+            argument=name,
+            advice="take brick_tiles(n)",
         )
     return tiles
 

@@ -44,8 +44,8 @@ class RuledTileSet(TileSet):
         if self._listed is None:
             if len(self) > _MOST_LISTED:
                 raise TilewrightValueError(
-                    f"the {self.name} set of {len(self)} {self.shape.name} tiles is too large to list; "
-                    "slots_of() and find() work without a list"
+                    f"the {self.name} set of {len(self)} {self.shape.name} tiles is too large to list",
+                    advice="slots_of() and find() work without a list",
                 )
             self._listed = self.slots_of(np.arange(len(self)))
             self._listed.setflags(write=False)

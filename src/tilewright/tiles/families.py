@@ -101,7 +101,9 @@ def cohen_tiles(count: int = 8) -> TileSet:
     """
     sizes = {8: (2, 2), 12: (2, 3), 18: (3, 3)}
     if count not in sizes:
-        raise TilewrightValueError(f"count is {count!r}; Cohen's sets have 8, 12 or 18 tiles")
+        raise TilewrightValueError(
+            f"is {count!r}; Cohen's sets have 8, 12 or 18 tiles", argument="count", value=count
+        )
     return compact_wang_tiles(*sizes[count])
 
 
@@ -123,7 +125,9 @@ def shifted_wang_tiles(colors: int = 2) -> TileSet:
     """
     c = check_colors(colors, 2)
     if c & (c - 1):
-        raise TilewrightValueError(f"colors is {c}; the shifted set needs a power of two: 2, 4, 8 or 16")
+        raise TilewrightValueError(
+            f"is {c}; the shifted set needs a power of two: 2, 4, 8 or 16", argument="colors", value=c
+        )
     n, w, b = (a.ravel() for a in np.indices((c, c, 2)))
     slots = np.stack([n, (2 * w + b) % c, (2 * n + b) % c, w], axis=1)
     return TileSet(WANG, slots, (c,) * 4, "shifted")
@@ -143,7 +147,12 @@ def corner_coded_tiles(base: TileSet | None = None, *, scanline_only: bool = Fal
     """
     base = cohen_tiles(8) if base is None else check_tiles("base", base)
     if base.shape is not WANG:
-        raise TilewrightValueError(f"base must be a set of Wang tiles, not of {base.shape.name} ones")
+        raise TilewrightValueError(
+            f"must be a set of Wang tiles, not of {base.shape.name} ones",
+            argument="base",
+            value=base.shape.name,
+            allowed="a set of Wang tiles",
+        )
     marks = decode(np.arange(16), (2,) * 4)
     slots = np.concatenate([np.repeat(base.slots, 16, axis=0), np.tile(marks, (len(base), 1))], axis=1)
     name = "corner-coded"

@@ -82,11 +82,19 @@ def check_lifting(
     for name, tiles in (("merged", merged), ("original", original)):
         if check_tiles(name, tiles).shape is not CORNER:
             raise TilewrightValueError(
-                f"{name} must be a set of corner tiles, not of {tiles.shape.name} ones"
+                f"must be a set of corner tiles, not of {tiles.shape.name} ones",
+                argument=name,
+                value=tiles.shape.name,
+                allowed="a set of corner tiles",
             )
     mapping = check_mapping(mapping, original)
     if check_int("size", size, 1, LARGEST_BLOCK - 1) % 2 == 0:
-        raise TilewrightValueError(f"size is {size}; it must be odd, so that a block has a center")
+        raise TilewrightValueError(
+            f"is {size}; it must be odd, so that a block has a center",
+            argument="size",
+            value=size,
+            allowed="odd, so that a block has a center",
+        )
     above = merged.find(mapping[original.slots.astype(np.int64)])
     blocks, larger = (possible_blocks(merged, n, margin) for n in (size, size + 1))
     of, lifts = _lift(original, above, blocks)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers
+from tilewright.checks import as_integers, range_error
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.shape import CORNER
 from tilewright.tiles.tileset import MOST_COLORS, TileSet, check_tiles
@@ -34,7 +34,12 @@ def merge_colors(tiles: TileSet, mapping: ArrayLike, name: str | None = None) ->
         Tiles that have become equal are there once, in ascending order of their colors.
     """
     if check_tiles("tiles", tiles).shape is not CORNER:
-        raise TilewrightValueError(f"tiles must be a set of corner tiles, not of {tiles.shape.name} ones")
+        raise TilewrightValueError(
+            f"must be a set of corner tiles, not of {tiles.shape.name} ones",
+            argument="tiles",
+            value=tiles.shape.name,
+            allowed="a set of corner tiles",
+        )
     new = check_mapping(mapping, tiles)
     slots = distinct(new[tiles.slots.astype(np.int64)])
     return TileSet(CORNER, slots, name=f"{tiles.name}, merged" if name is None else name)
@@ -44,11 +49,13 @@ def check_mapping(mapping: ArrayLike, tiles: TileSet) -> NDArray[np.int64]:
     """A new color, 0 or more, for each color of a corner set."""
     new = as_integers("mapping", mapping)
     if new.shape != (tiles.colors[0],):
-        raise TilewrightValueError(f"mapping has shape {new.shape}; the set has {tiles.colors[0]} colors")
-    if new.min() < 0 or new.max() >= MOST_COLORS:
         raise TilewrightValueError(
-            f"mapping holds {new.min()} to {new.max()}; allowed are 0 to {MOST_COLORS - 1}"
+            f"has shape {new.shape}; the set has {tiles.colors[0]} colors",
+            argument="mapping",
+            value=new.shape,
         )
+    if new.min() < 0 or new.max() >= MOST_COLORS:
+        raise range_error("mapping", new, f"0 to {MOST_COLORS - 1}")
     return new.astype(np.int64)
 
 

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, check_int
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import as_integers, check_int, check_type, type_error
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles.shape import Shape
 
 MOST_COLORS = 2**15
@@ -53,17 +53,20 @@ class TileSet:
     def __init__(
         self, shape: Shape, slots: ArrayLike, colors: tuple[int, ...] | None = None, name: str = "custom"
     ) -> None:
-        if not isinstance(shape, Shape):
-            raise TilewrightTypeError(f"shape must be a Shape such as WANG, not {type(shape).__name__}")
+        check_type("shape", shape, Shape, "a Shape such as WANG")
         table = as_integers("slots", slots)
         if table.ndim != 2 or table.shape[1] != len(shape.slots) or not len(table):
             raise TilewrightValueError(
-                f"slots has shape {table.shape}; {shape.name} tiles need (tiles, {len(shape.slots)}) "
-                f"with columns {', '.join(shape.slots)} and at least one tile"
+                f"has shape {table.shape}; {shape.name} tiles need (tiles, {len(shape.slots)}) with "
+                f"columns {', '.join(shape.slots)} and at least one tile",
+                argument="slots",
+                value=table.shape,
             )
         if table.min() < 0 or table.max() >= MOST_COLORS:
             raise TilewrightValueError(
-                f"slots holds colors {table.min()} to {table.max()}; allowed are 0 to {MOST_COLORS - 1}"
+                f"holds colors {table.min()} to {table.max()}; allowed are 0 to {MOST_COLORS - 1}",
+                argument="slots",
+                allowed=f"0 to {MOST_COLORS - 1}",
             )
         self.shape = shape
         self.name = name
@@ -78,20 +81,25 @@ class TileSet:
     def _check_colors(self) -> None:
         if len(self.colors) != len(self.shape.slots):
             raise TilewrightValueError(
-                f"colors has {len(self.colors)} entries; {self.shape.name} tiles have {len(self.shape.slots)}"
+                f"has {len(self.colors)} entries; {self.shape.name} tiles have {len(self.shape.slots)}",
+                argument="colors",
+                value=len(self.colors),
             )
         for far, near in (pair for joint in self.shape.joints for pair in joint):
             if self.colors[far] != self.colors[near]:
                 raise TilewrightValueError(
-                    f"colors is {self.colors}; {self.shape.slots[far]} and {self.shape.slots[near]} meet, so "
-                    "they need equally many"
+                    f"is {self.colors}; {self.shape.slots[far]} and {self.shape.slots[near]} meet, so "
+                    "they need equally many",
+                    argument="colors",
+                    value=self.colors,
                 )
         over = (self.slots >= np.array(self.colors)).nonzero()
         if len(over[0]):
             tile, slot = int(over[0][0]), int(over[1][0])
             raise TilewrightValueError(
-                f"tile {tile} has color {self.slots[tile, slot]} at {self.shape.slots[slot]}; "
-                f"that slot has {self.colors[slot]} colors"
+                f"has color {self.slots[tile, slot]} at {self.shape.slots[slot]}; that slot has "
+                f"{self.colors[slot]} colors",
+                argument=f"tile {tile}",
             )
 
     @property
@@ -133,7 +141,8 @@ class TileSet:
         asked = as_integers("index", index)
         if asked.size and (asked.min() < 0 or asked.max() >= len(self)):
             raise TilewrightValueError(
-                f"index holds {asked.min()} to {asked.max()}; the set has tiles 0 to {len(self) - 1}"
+                f"holds {asked.min()} to {asked.max()}; the set has tiles 0 to {len(self) - 1}",
+                argument="index",
             )
         return asked.astype(np.int64)
 
@@ -163,10 +172,7 @@ def _radices(shape: Shape, table: NDArray[Any]) -> tuple[int, ...]:
 
 def check_tiles(name: str, given: Any) -> "TileSet":
     """``given`` if it is a tile set."""
-    if not isinstance(given, TileSet):
-        raise TilewrightTypeError(
-            f"{name} must be a TileSet, such as corner_tiles(2), not {type(given).__name__}"
-        )
+    check_type(name, given, TileSet, "a TileSet, such as corner_tiles(2)")
     return given
 
 
@@ -174,17 +180,23 @@ def as_slots(given: ArrayLike, count: int) -> NDArray[Any]:
     """Colors of ``count`` slots along the last axis."""
     table = as_integers("slots", given)
     if table.ndim == 0 or table.shape[-1] != count:
-        raise TilewrightValueError(f"slots has shape {table.shape}; its last axis must be {count} long")
+        raise TilewrightValueError(
+            f"has shape {table.shape}; its last axis must be {count} long",
+            argument="slots",
+            value=table.shape,
+        )
     return table
 
 
 def check_palette(colors: Any) -> tuple[int, ...]:
     """Numbers of colors, one for each slot."""
     if isinstance(colors, str) or np.ndim(colors) != 1 or not np.size(colors):
-        raise TilewrightTypeError(f"colors must be a tuple with a number for each slot, not {colors!r}")
+        raise type_error("colors", colors, "a tuple with a number for each slot")
     found = tuple(check_int("colors", c, 1, MOST_COLORS) for c in colors)
     if prod(found) > 2**62:
-        raise TilewrightValueError(f"colors is {found}; their product may be up to 2^62")
+        raise TilewrightValueError(
+            f"is {found}; their product may be up to 2^62", argument="colors", value=found
+        )
     return found
 
 
@@ -198,7 +210,7 @@ def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
     colors = check_palette(colors)
     table = as_slots(slots, len(colors))
     if ((table < 0) | (table >= np.array(colors))).any():
-        raise TilewrightValueError(f"slots holds colors outside 0 up to {tuple(colors)}")
+        raise TilewrightValueError(f"holds colors outside 0 up to {tuple(colors)}", argument="slots")
     code = np.zeros(table.shape[:-1], np.int64)
     for slot, radix in enumerate(colors):
         code = code * radix + table[..., slot]
@@ -212,7 +224,9 @@ def decode(codes: ArrayLike, colors: tuple[int, ...]) -> Slots:
     most = prod(int(c) for c in colors)
     if rest.size and (rest.min() < 0 or rest.max() >= most):
         raise TilewrightValueError(
-            f"codes runs from {rest.min()} to {rest.max()}; allowed are 0 to {most - 1}"
+            f"runs from {rest.min()} to {rest.max()}; allowed are 0 to {most - 1}",
+            argument="codes",
+            allowed=f"0 to {most - 1}",
         )
     rest = rest.astype(np.int64)
     slots = np.empty((*rest.shape, len(colors)), slot_type(colors))

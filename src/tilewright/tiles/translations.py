@@ -136,7 +136,12 @@ def wang_slots(wang: TileSet) -> Colors:
     """Slots N, E, S, W of a set of Wang tiles, as int64."""
     shape = check_tiles("wang", wang).shape
     if shape is not WANG:
-        raise TilewrightValueError(f"wang must be a set of Wang tiles, not of {shape.name} ones")
+        raise TilewrightValueError(
+            f"must be a set of Wang tiles, not of {shape.name} ones",
+            argument="wang",
+            value=shape.name,
+            allowed="a set of Wang tiles",
+        )
     return wang.slots.astype(np.int64)
 
 
@@ -178,8 +183,9 @@ def _translate(slots: Colors, construction: str) -> Colors:
     made = distinct(pairs)
     if len(made) < len(pairs):
         raise TilewrightValueError(
-            f"{construction} translation fails: {len(pairs)} different pairs of tiles give only {len(made)} "
-            "corner tiles; try rotation, which works for every set"
+            f"{construction} translation fails: {len(pairs)} different pairs of tiles give only "
+            f"{len(made)} corner tiles",
+            advice="try rotation, which works for every set",
         )
     return made
 

@@ -47,7 +47,8 @@ class Chains:
         if length < fewest:
             raise TilewrightValueError(
                 f"the period closes chains after {length} steps, too few to return to any of "
-                f"{self.colors} colors; take a period with at least {fewest} steps"
+                f"{self.colors} colors",
+                advice=f"take a period with at least {fewest} steps",
             )
         if length > _LONGEST:
             raise TilewrightValueError(

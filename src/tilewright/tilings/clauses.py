@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_real
-from tilewright.errors import Progress, TilewrightError, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_real, check_type
+from tilewright.errors import Progress, TilewrightError, TilewrightValueError
 
 Literals = NDArray[np.int32]
 Truth = NDArray[np.bool_]
@@ -128,7 +128,9 @@ class Clauses:
                 if progress is not None:
                     progress(int(spent), int(seconds or 0), "searching")
                 if found is None and seconds is not None and spent > seconds:
-                    raise Undecided(f"no answer after {spent:.0f} seconds; allow more or ask for less")
+                    raise Undecided(
+                        f"no answer after {spent:.0f} seconds", advice="allow more or ask for less"
+                    )
             if not found:
                 return None
             values = np.zeros(self.count + 1, bool)
@@ -160,7 +162,9 @@ class Clauses:
         values = np.asarray(values, bool)
         if values.shape != (self.count + 1,):
             raise TilewrightValueError(
-                f"values has shape {values.shape}; {self.count} variables need ({self.count + 1},)"
+                f"has shape {values.shape}; {self.count} variables need ({self.count + 1},)",
+                argument="values",
+                value=values.shape,
             )
         before = 0
         for block in self.blocks:
@@ -182,8 +186,7 @@ class Clauses:
 
         They are not checked; see `violated`.
         """
-        if not isinstance(answer, str):
-            raise TilewrightTypeError(f"answer must be a str, not {type(answer).__name__}")
+        check_type("answer", answer, str, "a str")
         lines = [line.split() for line in answer.splitlines() if line.strip()]
         if ["s", "UNSATISFIABLE"] in lines:
             return None
@@ -191,10 +194,14 @@ class Clauses:
         try:
             literals = np.array(words, dtype="U").astype(np.int64)
         except ValueError:
-            raise TilewrightValueError("answer has a v line that holds something but integers") from None
+            raise TilewrightValueError(
+                "has a v line that holds something but integers", argument="answer"
+            ) from None
         if not len(literals) or np.abs(literals).max() > self.count:
             raise TilewrightValueError(
-                f"answer has no v lines for {self.count} variables; expected what a SAT solver prints"
+                f"has no v lines for {self.count} variables; expected what a SAT solver prints",
+                argument="answer",
+                allowed="what a SAT solver prints",
             )
         values = np.zeros(self.count + 1, bool)
         values[np.abs(literals)] = literals > 0
@@ -206,6 +213,6 @@ def _solver(blocks: list[Literals]) -> Any:
         from pysat.solvers import Solver
     except ImportError:
         raise TilewrightError(
-            "this needs the package python-sat; install it with: pip install tilewright[solve]"
+            "this needs the package python-sat", advice="install it with: pip install tilewright[solve]"
         ) from None
     return Solver(name="glucose4", bootstrap_with=[clause for block in blocks for clause in block.tolist()])

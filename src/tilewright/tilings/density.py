@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_choice, check_real
+from tilewright.checks import as_array, check_choice, check_real, shape_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles import CORNER, CORNER_CODED, TileSet
 from tilewright.tiles.tileset import check_tiles
@@ -107,20 +107,22 @@ def density_tiling(
 
 
 def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
-    try:
-        map_ = np.asarray(given)
-    except ValueError:
-        raise TilewrightValueError("the density map is not a table of equally long rows") from None
+    map_ = as_array("the density map", given)
     if map_.ndim == 2:
         map_ = map_[..., np.newaxis]
     if map_.ndim != 3 or not 1 <= map_.shape[2] <= 4 or map_.size == 0:
-        raise TilewrightValueError(
-            f"the density map has shape {np.shape(given)}; expected (height, width) or "
-            "(height, width, channels) with 1 to 4 channels"
+        raise shape_error(
+            "the density map",
+            np.shape(given),
+            "(height, width) or (height, width, channels) with 1 to 4 channels",
         )
     if map_.dtype.kind not in "ubf":
+        allowed = "floats, bool and unsigned integers"
         raise TilewrightTypeError(
-            f"the density map has type {map_.dtype}; allowed are floats, bool and unsigned integers"
+            f"has type {map_.dtype}; allowed are {allowed}",
+            argument="the density map",
+            value=map_.dtype,
+            allowed=allowed,
         )
     # Gray is the mean of the colors; alpha (the last of 2 or 4 channels) says nothing.
     colors = map_[..., : 1 if map_.shape[2] < 3 else 3]
@@ -128,7 +130,7 @@ def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
     if map_.dtype.kind == "u":
         return values / np.iinfo(map_.dtype).max
     if not ((values >= 0) & (values <= 1)).all():
-        raise TilewrightValueError("the density map has values outside 0 to 1 (or NaN)")
+        raise TilewrightValueError("has values outside 0 to 1 (or NaN)", argument="the density map")
     return values
 
 

@@ -153,14 +153,15 @@ def direct(
     algorithm = recognize(tiles)
     if algorithm is None:
         raise TilewrightValueError(
-            f"no direct tiling is known for the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; "
-            "scanline() tiles a rectangle with it, array_tiling() takes a tiling of your own"
+            f"no direct tiling is known for the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles",
+            advice="scanline() tiles a rectangle with it, array_tiling() takes a tiling of your own",
         )
     if wang == "two-hashes":
         if algorithm != "edges" or tiles.shape is not WANG:
             raise TilewrightValueError(
-                f"wang is 'two-hashes', which is for complete Wang sets, not for the {tiles.name} set of "
-                f"{len(tiles)} {tiles.shape.name} tiles"
+                f"is 'two-hashes', which is for complete Wang sets, not for the {tiles.name} set of "
+                f"{len(tiles)} {tiles.shape.name} tiles",
+                argument="wang",
             )
         algorithm = "two-hashes"
     d = tiles.shape.dimension

@@ -6,8 +6,8 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_int, type_error
+from tilewright.errors import TilewrightValueError
 
 LARGEST_CELL = 2**61
 _MOST_CELLS = 2**31
@@ -30,12 +30,15 @@ class Domain:
     def plane(cls, period: tuple[int | None, ...] | None, dimension: int = 2) -> "Domain":
         """Endless along every axis, repeating after ``period`` cells where that is given."""
         if period is not None and not isinstance(period, (tuple, list)):
-            raise TilewrightTypeError(
-                f"period must be a tuple of {dimension} numbers or None, not {period!r}"
-            )
+            raise type_error("period", period, f"a tuple of {dimension} numbers or None")
         given = (None,) * dimension if period is None else tuple(period)
         if len(given) != dimension:
-            raise TilewrightValueError(f"period has {len(given)} entries; expected {dimension}, x first")
+            raise TilewrightValueError(
+                f"has {len(given)} entries; expected {dimension}, x first",
+                argument="period",
+                value=len(given),
+                allowed=f"{dimension}, x first",
+            )
         checked = tuple(None if p is None else check_int("period", p, 1, 2**31) for p in given)
         return cls(checked, (None,) * dimension)
 
@@ -62,7 +65,8 @@ class Domain:
                 )
         if prod(extent) > _MOST_CELLS:
             raise TilewrightValueError(
-                f"a window of {' x '.join(map(str, extent))} cells is too large; ask for at most 2^31 at once"
+                f"a window of {' x '.join(map(str, extent))} cells is too large",
+                advice="ask for at most 2^31 at once",
             )
 
     def wrap(self, axis: int, first: int, count: int) -> NDArray[np.int64]:

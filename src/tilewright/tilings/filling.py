@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, check_int, check_progress
+from tilewright.checks import as_integers, check_int, check_progress, shape_error
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.tiles import Shape, TileSet
@@ -87,16 +87,23 @@ def filled_tiling(
 def check_square(tiles: TileSet) -> None:
     """Raise unless ``tiles`` is a set of square tiles."""
     if check_tiles("tiles", tiles).shape.dimension != 2:
-        raise TilewrightValueError(f"tiles must be square, not {tiles.shape.name} tiles")
+        raise TilewrightValueError(
+            f"must be square, not {tiles.shape.name} tiles",
+            argument="tiles",
+            value=tiles.shape.name,
+            allowed="square",
+        )
 
 
 def _check_fixed(fixed: ArrayLike, shape: tuple[int, int], count: int) -> Integers:
     given = as_integers("fixed", fixed)
     if given.shape != shape:
-        raise TilewrightValueError(f"fixed has shape {given.shape}; expected (height, width), {shape}")
+        raise shape_error("fixed", given.shape, f"(height, width), {shape}")
     if given.min() < -1 or given.max() >= count:
         raise TilewrightValueError(
-            f"fixed runs from {given.min()} to {given.max()}; allowed are tiles 0 to {count - 1}, and -1"
+            f"runs from {given.min()} to {given.max()}; allowed are tiles 0 to {count - 1}, and -1",
+            argument="fixed",
+            allowed=f"tiles 0 to {count - 1}, and -1",
         )
     return given.astype(np.int64)
 

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, check_int
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import as_integers, check_int, type_error
+from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.tiles.tileset import MOST_COLORS, slot_type
 
@@ -234,13 +234,22 @@ class LongPeriodHash(LatticeHash):
         self, seed: int = 0, sizes: tuple[int, ...] = (17, 19, 23, 24, 29, 31, 37), range: int = 24
     ) -> None:
         if not sizes:
-            raise TilewrightValueError("sizes is empty; a long-period hash needs at least one table")
+            raise TilewrightValueError(
+                "is empty; a long-period hash needs at least one table", argument="sizes"
+            )
         if len(set(sizes)) < len(sizes):
             raise TilewrightValueError(
-                f"sizes is {tuple(sizes)}; a size given twice does not lengthen the period"
+                f"is {tuple(sizes)}; a size given twice does not lengthen the period",
+                argument="sizes",
+                value=sizes,
             )
         if range not in sizes:
-            raise TilewrightValueError(f"range is {range}; it must be one of the sizes {tuple(sizes)}")
+            raise TilewrightValueError(
+                f"is {range}; it must be one of the sizes {tuple(sizes)}",
+                argument="range",
+                value=range,
+                allowed=f"one of the sizes {tuple(sizes)}",
+            )
         self.parts = tuple(PermutationHash(seed, size) for size in sizes)
         self._range = range
 
@@ -276,7 +285,12 @@ def make_hash(given: LatticeHash | str, seed: int) -> LatticeHash:
         return given
     kinds = {"mixer": MixerHash, "permutation": PermutationHash, "long-period": LongPeriodHash}
     if not isinstance(given, str):
-        raise TilewrightTypeError(f"hash must be a name or a LatticeHash, not {given!r}")
+        raise type_error("hash", given, "a name or a LatticeHash")
     if given not in kinds:
-        raise TilewrightValueError(f"hash is {given!r}; allowed are {', '.join(kinds)}")
+        raise TilewrightValueError(
+            f"is {given!r}; allowed are {', '.join(kinds)}",
+            argument="hash",
+            value=given,
+            allowed=f"{', '.join(kinds)}",
+        )
     return kinds[given](seed)  # type: ignore[no-any-return]

@@ -58,10 +58,17 @@ class Tiling(ABC):
         if out is None:
             out = np.empty(shape, np.int32)
         elif not isinstance(out, np.ndarray):
-            raise TilewrightTypeError(f"out must be an int32 array, not {type(out).__name__}")
+            raise TilewrightTypeError(
+                f"must be an int32 array, not {type(out).__name__}",
+                argument="out",
+                value=out,
+                allowed="an int32 array",
+            )
         elif out.shape != shape or out.dtype != np.int32 or not out.flags.writeable:
             kind = out.dtype if out.flags.writeable else f"read-only {out.dtype}"
-            raise TilewrightValueError(f"out is {kind} {out.shape}; expected int32 {shape}")
+            raise TilewrightValueError(
+                f"is {kind} {out.shape}; expected int32 {shape}", argument="out", allowed=f"int32 {shape}"
+            )
         self._fill(tuple(int(s) for s in start), out)
         return out
 
@@ -90,12 +97,15 @@ class ArrayTiling(Tiling):
         cells = as_integers("indices", indices)
         if cells.ndim != tiles.shape.dimension or cells.size == 0:
             raise TilewrightValueError(
-                f"indices has shape {cells.shape}; {tiles.shape.name} tiles need "
-                f"{tiles.shape.dimension} axes, none of them empty"
+                f"has shape {cells.shape}; {tiles.shape.name} tiles need {tiles.shape.dimension} axes, "
+                "none of them empty",
+                argument="indices",
+                value=cells.shape,
             )
         if cells.min() < 0 or cells.max() >= len(tiles):
             raise TilewrightValueError(
-                f"indices runs from {cells.min()} to {cells.max()}; the set has tiles 0 to {len(tiles) - 1}"
+                f"runs from {cells.min()} to {cells.max()}; the set has tiles 0 to {len(tiles) - 1}",
+                argument="indices",
             )
         self.tiles = tiles
         self.cells = cells.astype(np.int32)

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_int, check_type
+from tilewright.errors import TilewrightValueError
 from tilewright.signals.points.point_tiles import PointTiles
 
 
@@ -42,10 +42,9 @@ def border_density(tiles: PointTiles, bins: int = 10) -> BorderDensity:
     bins : int
         1 to 10,000, of equal width.
     """
-    if not isinstance(tiles, PointTiles):
-        raise TilewrightTypeError(f"tiles must be PointTiles, not {type(tiles).__name__}")
+    check_type("tiles", tiles, PointTiles, "PointTiles")
     if not len(tiles.points):
-        raise TilewrightValueError("tiles has no points; there is no density to measure")
+        raise TilewrightValueError("has no points; there is no density to measure", argument="tiles")
     distance = np.linspace(0, 0.5, check_int("bins", bins, 1, 10_000) + 1)
     # How far each point is from the nearest lattice line in x and in y.
     gaps = np.minimum(tiles.points, 1 - tiles.points).astype(np.float64)

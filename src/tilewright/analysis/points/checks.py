@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_type
+from tilewright.errors import TilewrightValueError
 from tilewright.samplers.point_set import PointSet
 
 FEWEST = 3
@@ -12,18 +13,19 @@ FEWEST = 3
 
 def check_set(given: PointSet, name: str = "points", dimensions: tuple[int, ...] = (2,)) -> PointSet:
     """``given`` if it is a PointSet of enough points, all of them inside its box."""
-    if not isinstance(given, PointSet):
-        raise TilewrightTypeError(
-            f"{name} must be a PointSet, not {type(given).__name__}; PointSet(array, Box((w, h))) makes one"
-        )
+    check_type(name, given, PointSet, "a PointSet", "PointSet(array, Box((w, h))) makes one")
     if given.box.dimension not in dimensions:
         raise TilewrightValueError(
-            f"{name} has {given.box.dimension} dimensions; this can be measured in "
-            f"{' or '.join(map(str, dimensions))}"
+            f"has {given.box.dimension} dimensions; this can be measured in "
+            f"{' or '.join(map(str, dimensions))}",
+            argument=name,
+            value=given.box.dimension,
         )
     points = given.box.check_points(given.points)
     if len(points) < FEWEST:
-        raise TilewrightValueError(f"{name} has {len(points)} points; at least {FEWEST} are needed")
+        raise TilewrightValueError(
+            f"has {len(points)} points; at least {FEWEST} are needed", argument=name, value=len(points)
+        )
     return given if points is given.points else replace(given, points=points)
 
 
@@ -33,16 +35,15 @@ def check_sets(
     """One or several PointSets of one box."""
     if isinstance(given, PointSet):
         return (check_set(given, name, dimensions),)
-    if not isinstance(given, (list, tuple)):
-        raise TilewrightTypeError(
-            f"{name} must be a PointSet or a list of PointSets, not {type(given).__name__}"
-        )
+    check_type(name, given, (list, tuple), "a PointSet or a list of PointSets")
     if not given:
-        raise TilewrightValueError(f"{name} is empty; at least one PointSet is needed")
+        raise TilewrightValueError("is empty; at least one PointSet is needed", argument=name)
     sets = tuple(check_set(one, f"{name}[{k}]", dimensions) for k, one in enumerate(given))
     for k, one in enumerate(sets):
         if one.box != sets[0].box:
             raise TilewrightValueError(
-                f"{name}[{k}] lies in {one.box} and {name}[0] in {sets[0].box}; sets of one box are needed"
+                f"lies in {one.box} and {name}[0] in {sets[0].box}; sets of one box are needed",
+                argument=f"{name}[{k}]",
+                value=one.box,
             )
     return sets

@@ -12,8 +12,8 @@ from tilewright import __version__
 from tilewright.analysis.points.contenders import Contender, Make, list_contenders
 from tilewright.analysis.points.laid_tiles import PLATE_POINTS, SPECTRUM_POINTS
 from tilewright.analysis.points.report import PointReport, analyze_points, save_comparison
-from tilewright.checks import check_choice, check_int
-from tilewright.errors import Cancelled, Progress, TilewrightError, TilewrightTypeError
+from tilewright.checks import check_choice, check_int, type_error
+from tilewright.errors import Cancelled, Progress, TilewrightError
 from tilewright.files.atomic import as_path, check_folder, whole_folder
 from tilewright.samplers.point_set import PointSet
 
@@ -118,7 +118,7 @@ def compare(
         chosen = [c for c in everyone.values() if full or c.standard]
     else:
         if not isinstance(methods, (list, tuple)) or not methods:
-            raise TilewrightTypeError(f"methods must be a list of names, not {methods!r}")
+            raise type_error("methods", methods, "a list of names")
         chosen = [everyone[check_choice("methods", name, tuple(everyone))] for name in methods]
     many = check_int("sets", sets, 1, 1000)
     check_int("seed", seed, 0, 2**63)
@@ -138,7 +138,9 @@ def compare(
         rows.append(row)
         limit = float("inf") if full or methods is not None else _SHARE
         if many * contender.seconds > limit:
-            row["not_run"] = f"{many} sets would take about {many * contender.seconds:.0f} s; --full runs it"
+            row["not_run"] = (
+                f"{many} sets would take about {many * contender.seconds:.0f} s; full=True runs it"
+            )
             continue
         try:
             reports.append(_measure(contender, many, seed, limit, row, step))

@@ -3,7 +3,8 @@
 from math import sqrt
 
 from tilewright.analysis.points.report import PointReport, analyze_points
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_type
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields import PointField
 from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
@@ -38,8 +39,7 @@ def analyze_point_tiles(
 
     The zone plate is sampled with a square of 262,144 points.
     """
-    if not isinstance(tiles, PointTiles):
-        raise TilewrightTypeError(f"tiles must be PointTiles, not {type(tiles).__name__}")
+    check_type("tiles", tiles, PointTiles, "PointTiles")
     if not len(tiles.points):
         raise TilewrightValueError("the tiles hold no points; there is nothing to measure")
     laid = [lay_square(tiles, SPECTRUM_POINTS, seed + k) for k in range(sets)]

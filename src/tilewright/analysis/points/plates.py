@@ -75,8 +75,10 @@ def zone_plate(points: PointSet) -> ZonePlate:
     inside = int(((x >= 0) & (x < PIXELS) & (y >= 0) & (y < PIXELS)).sum())
     if inside < _FEWEST:
         raise TilewrightValueError(
-            f"points has {inside} points in the square; at least {_FEWEST} are needed, and {PIXELS**2}, one "
-            "for each pixel, are usual"
+            f"has {inside} points in the square; at least {_FEWEST} are needed, and {PIXELS**2}, one "
+            "for each pixel, are usual",
+            argument="points",
+            value=inside,
         )
     from tilewright.kernels.zone_plate import splat_samples
 

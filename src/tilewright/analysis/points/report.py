@@ -204,9 +204,14 @@ def save_comparison(reports: Sequence[PointReport], path: str | Path) -> None:
 
 def _check_reports(reports: Sequence[PointReport]) -> list[PointReport]:
     if not isinstance(reports, (list, tuple)) or not all(isinstance(r, PointReport) for r in reports):
-        raise TilewrightTypeError("reports must be a list of PointReport; analyze_points makes one")
+        raise TilewrightTypeError(
+            "must be a list of PointReport",
+            argument="reports",
+            allowed="a list of PointReport",
+            advice="analyze_points makes one",
+        )
     if not reports:
-        raise TilewrightValueError("reports is empty; at least one PointReport is needed")
+        raise TilewrightValueError("is empty; at least one PointReport is needed", argument="reports")
     return list(reports)
 
 

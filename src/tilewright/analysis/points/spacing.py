@@ -220,8 +220,11 @@ def discrepancy(points: PointSet, kind: str = "centered") -> float:
     method = _DISCREPANCIES[check_choice("kind", kind, tuple(_DISCREPANCIES))]
     if len(given) > MOST_FOR_DISCREPANCY:
         raise TilewrightValueError(
-            f"points has {len(given)} points; the discrepancy takes time for each pair of them and is "
-            f"limited to {MOST_FOR_DISCREPANCY}; give a smaller set"
+            f"has {len(given)} points; the discrepancy takes time for each pair of them and is limited "
+            f"to {MOST_FOR_DISCREPANCY}",
+            argument="points",
+            value=len(given),
+            advice="give a smaller set",
         )
     value = float(qmc.discrepancy(given.points / np.array(given.box.extent), method=method))
     return value if kind == "star" else sqrt(value)

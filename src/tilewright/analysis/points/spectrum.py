@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.analysis.points.checks import check_set, check_sets
-from tilewright.checks import check_int
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_int, check_type, type_error
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
 from tilewright.samplers.radius import max_radius
@@ -248,19 +248,19 @@ def lattice_spikes(spectrum: Spectrum, tiles_along: int | tuple[int, int]) -> La
         the power T |m(k)|^2 / n at the multiple k of the lattice's frequency, with m the mean over the tiles
         of the sum of exp(-2 pi i k . x) over the points of a tile, x in tiles.
     """
-    if not isinstance(spectrum, Spectrum):
-        raise TilewrightTypeError(
-            f"spectrum must be a Spectrum, not {type(spectrum).__name__}; power_spectrum makes one"
-        )
+    check_type("spectrum", spectrum, Spectrum, "a Spectrum", "power_spectrum makes one")
     pair = tiles_along if isinstance(tiles_along, (tuple, list)) else (tiles_along, tiles_along)
     if len(pair) != 2:
-        raise TilewrightTypeError(f"tiles_along must be an integer or two, not {tiles_along!r}")
+        raise type_error("tiles_along", tiles_along, "an integer or two")
     rows, columns = spectrum.power.shape
     along_x, along_y = (check_int("tiles_along", n, 1, LARGEST_SIZE) for n in pair)
     if along_x > columns // 2 and along_y > rows // 2:
         raise TilewrightValueError(
-            f"tiles_along is {tiles_along}; the spectrum ends at {columns // 2} and {rows // 2} periods, "
-            "before the lattice's first frequency; give power_spectrum a larger size"
+            f"is {tiles_along}; the spectrum ends at {columns // 2} and {rows // 2} periods, before the "
+            "lattice's first frequency",
+            argument="tiles_along",
+            value=tiles_along,
+            advice="give power_spectrum a larger size",
         )
     ky, kx = np.arange(rows) - rows // 2, np.arange(columns) - columns // 2
     on = (ky % along_y == 0)[:, None] & (kx % along_x == 0)
@@ -276,11 +276,16 @@ def _check_size(size: int | None, count: int) -> int:
         if width <= LARGEST_SIZE:
             return width
         raise TilewrightValueError(
-            f"size would be {width} for {count} points; allowed are up to {LARGEST_SIZE}; give a size"
+            f"would be {width} for {count} points; allowed are up to {LARGEST_SIZE}",
+            argument="size",
+            allowed=f"up to {LARGEST_SIZE}",
+            advice="give a size",
         )
     width = check_int("size", size, 8, LARGEST_SIZE)
     if width % 2:
-        raise TilewrightValueError(f"size is {width}; it must be even")
+        raise TilewrightValueError(
+            f"is {width}; it must be even", argument="size", value=width, allowed="even"
+        )
     return width
 
 

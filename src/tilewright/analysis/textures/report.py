@@ -17,7 +17,8 @@ from tilewright.analysis.textures.seams import (
     worst_tile_ratio,
 )
 from tilewright.analysis.textures.structure import seam_novelty, used_share
-from tilewright.errors import Progress, TilewrightTypeError
+from tilewright.checks import check_type
+from tilewright.errors import Progress
 from tilewright.files.atomic import whole_file
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
@@ -117,10 +118,7 @@ def analyze_texture(
     seed : int
         Seed of the tiling and of the patches that are compared.
     """
-    if not isinstance(material, TextureTiles):
-        raise TilewrightTypeError(
-            f"material must be TextureTiles, PointTiles or a PointSet, not {type(material).__name__}"
-        )
+    check_type("material", material, TextureTiles, "TextureTiles, PointTiles or a PointSet")
     seed = check_seed(seed)
     sample = lay_sample(material, cells, seed)
     figures: dict[str, float] = {}

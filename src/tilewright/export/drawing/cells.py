@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, brief, check_choice, check_int
+from tilewright.checks import as_cells, check_choice, check_int, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.export.drawing.svg import document, element
 from tilewright.export.drawing.tiles import MOST_PIXELS, color_of
@@ -105,12 +105,10 @@ def paint_cells(
 
 
 def _as_tiles(cells: ArrayLike) -> NDArray[np.uint8]:
-    tiles = as_integers("cells", cells)
-    if tiles.ndim != 2 or tiles.size == 0:
-        raise TilewrightValueError(f"cells have shape {tiles.shape}; expected (height, width), neither 0")
+    tiles = as_cells(cells)
     if tiles.min() < 0 or tiles.max() >= _MOST_TILES:
         raise TilewrightValueError(
-            f"cells hold {tiles.min()} to {tiles.max()}; tiles are 0 to {_MOST_TILES - 1}"
+            f"hold {tiles.min()} to {tiles.max()}; tiles are 0 to {_MOST_TILES - 1}", argument="cells"
         )
     return tiles.astype(np.uint8)
 
@@ -124,9 +122,7 @@ def _styled(tiles: NDArray[Any], colors: Sequence[str] | None, motif: str) -> tu
     if colors is None:
         return count, [color_of(t) for t in range(count)] if motif == "fill" else [_LINE, _GROUND]
     if isinstance(colors, str) or not hasattr(colors, "__iter__"):
-        raise TilewrightTypeError(
-            f"colors must be a list such as ['#27548f', '#ecd5a3'], not {brief(colors)}"
-        )
+        raise type_error("colors", colors, "a list such as ['#27548f', '#ecd5a3']")
     shades = list(colors)
     for shade in shades:
         if not isinstance(shade, str):
@@ -135,7 +131,9 @@ def _styled(tiles: NDArray[Any], colors: Sequence[str] | None, motif: str) -> tu
             raise TilewrightValueError(f"a color is {shade!r}; expected '#' and six digits, as '#27548f'")
     if len(shades) < needed or (motif != "fill" and len(shades) > needed):
         what = f"the {count} tiles" if motif == "fill" else "the lines and the ground"
-        raise TilewrightValueError(f"colors are {len(shades)}; {what} need {needed}")
+        raise TilewrightValueError(
+            f"are {len(shades)}; {what} need {needed}", argument="colors", value=len(shades)
+        )
     return count, shades
 
 

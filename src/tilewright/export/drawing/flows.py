@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_int, check_progress, check_real
-from tilewright.errors import Progress, TilewrightTypeError
+from tilewright.checks import check_choice, check_int, check_progress, check_real, check_type
+from tilewright.errors import Progress
 from tilewright.files.atomic import as_path, whole_file
 from tilewright.flows.flow import Flow
 
@@ -178,8 +178,7 @@ def _rgb(color: str) -> tuple[int, ...]:
 
 
 def _check_flow(flow: Flow) -> None:
-    if not isinstance(flow, Flow):
-        raise TilewrightTypeError(f"flow must be a Flow, not {type(flow).__name__}")
+    check_type("flow", flow, Flow, "a Flow")
 
 
 class _Painter:

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_real
-from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_choice, check_real, check_type
+from tilewright.errors import TilewrightFileError, TilewrightValueError
 from tilewright.export.drawing.svg import document, element, path_of, text
 from tilewright.export.drawing.tiles import color_of
 from tilewright.files.atomic import as_path
@@ -191,10 +191,12 @@ def _picture(path: str | os.PathLike[str] | None, width: float, height: float) -
     try:
         content = given.read_bytes()
     except OSError as error:
-        raise TilewrightFileError(f"{given} cannot be read: {(error.strerror or '').lower()}") from None
+        raise TilewrightFileError(
+            f"{given} cannot be read: {(error.strerror or '').lower()}", value=given
+        ) from None
     kind = next((k for start, k in _SIGNATURES.items() if content.startswith(start)), None)
     if kind is None:
-        raise TilewrightFileError(f"{given} is no PNG or JPEG file; expected one of these")
+        raise TilewrightFileError(f"{given} is no PNG or JPEG file; expected one of these", value=given)
     read_image(given)  # refuses one that is damaged
     yield element(
         "image", href=f"data:image/{kind};base64,{base64.b64encode(content).decode()}", width=width,
@@ -204,8 +206,7 @@ def _picture(path: str | os.PathLike[str] | None, width: float, height: float) -
 
 def _check_tiling(tiling: Tiling) -> tuple[int, int]:
     """Pieces along x and y of a tiling that makes a puzzle."""
-    if not isinstance(tiling, Tiling):
-        raise TilewrightTypeError(f"tiling must be a packing or another torus, not {type(tiling).__name__}")
+    check_type("tiling", tiling, Tiling, "a packing or another torus")
     tiles = tiling.tiles
     if tiles.shape not in (WANG, CORNER) or not 2 <= max(tiles.colors) <= MOST_COLORS:
         raise TilewrightValueError(

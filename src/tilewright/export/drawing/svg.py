@@ -7,7 +7,8 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_type
+from tilewright.errors import TilewrightValueError
 from tilewright.files.atomic import as_path, whole_file
 
 
@@ -59,10 +60,11 @@ def save_svg(path: str | os.PathLike[str], drawing: str) -> Path:
     Path
     """
     target = as_path(path)
-    if not isinstance(drawing, str):
-        raise TilewrightTypeError(f"drawing must be the text of an SVG file, not {type(drawing).__name__}")
+    check_type("drawing", drawing, str, "the text of an SVG file")
     if target.suffix.lower() != ".svg":
-        raise TilewrightValueError(f"{target} ends in {target.suffix or 'nothing'!r}; expected .svg")
+        raise TilewrightValueError(
+            f"{target} ends in {target.suffix or 'nothing'!r}; expected .svg", value=target
+        )
     with whole_file(target) as unfinished:
         unfinished.write_text(drawing, encoding="utf-8")
     return target

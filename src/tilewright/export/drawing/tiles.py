@@ -155,7 +155,12 @@ def paint_tiling(
 
 def _tiles_of(tiling: Tiling) -> TileSet:
     if not isinstance(tiling, Tiling):
-        raise TilewrightValueError(f"tiling must be a Tiling, not {type(tiling).__name__}")
+        raise TilewrightValueError(
+            f"must be a Tiling, not {type(tiling).__name__}",
+            argument="tiling",
+            value=tiling,
+            allowed="a Tiling",
+        )
     return tiling.tiles
 
 

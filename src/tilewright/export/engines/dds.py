@@ -42,7 +42,9 @@ def write_dds(path: Path, levels: list[NDArray[Any]], *, srgb: bool = False, old
     kind = levels[0].dtype.str[1:]
     if (kind, channels) not in _FORMATS or (old and (kind, channels, layers) != ("u1", 4, 1)):
         raise TilewrightValueError(
-            f"levels are {levels[0].dtype} {levels[0].shape}; expected uint8 or float16, 1, 2 or 4 channels"
+            f"are {levels[0].dtype} {levels[0].shape}; expected uint8 or float16, 1, 2 or 4 channels",
+            argument="levels",
+            allowed="uint8 or float16, 1, 2 or 4 channels",
         )
     pitch = columns * channels * levels[0].itemsize
     if old:

@@ -163,8 +163,10 @@ def prepare(material: TextureTiles, seed: int, *, atlas: bool = False, green: st
     tiles = material.tiles
     if tiles.shape is not CORNER or not tiles.is_complete or tiles.colors[0] > MOST_COLORS:
         raise TilewrightValueError(
-            f"material is over the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; engine shaders "
-            f"find tiles of complete corner sets: make the texture over corner_tiles(C), C 1 to {MOST_COLORS}"
+            f"is over the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; engine shaders "
+            "find tiles of complete corner sets: make the texture over corner_tiles(C), C 1 to "
+            f"{MOST_COLORS}",
+            argument="material",
         )
     return Kit(material, seed, "atlas" if atlas or len(tiles) > ARRAY_TILES else "array", green)
 
@@ -308,7 +310,8 @@ def _narrow(level: NDArray[Any], kind: str) -> NDArray[Any]:
     most, largest = float(np.finfo(np.float16).max), float(np.abs(level).max())
     if largest > most:
         raise TilewrightValueError(
-            f"a map reaches {largest:.6g}, and the half floats it is exported as {most:.0f}; scale it down"
+            f"a map reaches {largest:.6g}, and the half floats it is exported as {most:.0f}",
+            advice="scale it down",
         )
     return level.astype(np.float16)
 

@@ -39,7 +39,7 @@ def write_tx(path: Path, levels: list[NDArray[Any]]) -> None:
 
     output = oiio.ImageOutput.create("tiff")
     if output is None:
-        raise TilewrightFileError(f"{path} could not be written ({oiio.geterror().strip()})")
+        raise TilewrightFileError(f"{path} could not be written ({oiio.geterror().strip()})", value=path)
     for number, level in enumerate(levels):
         rows, columns, channels = level.shape
         spec = oiio.ImageSpec(columns, rows, channels, "uint8" if level.dtype == np.uint8 else "float")
@@ -51,6 +51,8 @@ def write_tx(path: Path, levels: list[NDArray[Any]]) -> None:
         mode = "AppendSubimage" if number else "Create"
         pixels = np.ascontiguousarray(level, None if level.dtype == np.uint8 else np.float32)
         if not (output.open(str(path), spec, mode) and output.write_image(pixels)):
-            raise TilewrightFileError(f"{path} could not be written ({output.geterror().strip()})")
+            raise TilewrightFileError(
+                f"{path} could not be written ({output.geterror().strip()})", value=path
+            )
     if not output.close():
-        raise TilewrightFileError(f"{path} could not be written ({output.geterror().strip()})")
+        raise TilewrightFileError(f"{path} could not be written ({output.geterror().strip()})", value=path)

@@ -4,8 +4,7 @@ from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
-from tilewright.checks import check_choice
-from tilewright.errors import TilewrightTypeError
+from tilewright.checks import check_choice, check_type
 from tilewright.export.engines.folder import Kit, find_objection, prepare
 from tilewright.files.atomic import whole_folder
 from tilewright.seeds import check_seed
@@ -56,8 +55,7 @@ def save_for_engine(material: TextureTiles, folder: str | Path, to: str, *, seed
     TilewrightFileError
         The folder holds other things, or cannot be written.
     """
-    if not isinstance(material, TextureTiles):
-        raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+    check_type("material", material, TextureTiles, "TextureTiles")
     check_choice("to", to, TARGETS)
     check_seed(seed)
     kit = prepare(material, seed, atlas=to in _ATLAS, green="dx" if to in _GREEN_DOWN else "gl")

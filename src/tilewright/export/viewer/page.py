@@ -11,7 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from tilewright import __version__
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_type
+from tilewright.errors import TilewrightValueError
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.compared import describe_comparison, fill_comparison
 from tilewright.export.viewer.parts import fill, part, shader
@@ -76,19 +77,20 @@ def check_page(path: str | Path) -> Path:
     """Where a page can be written; an error where not, before the work is done."""
     path = as_path(path)
     if path.suffix.lower() not in (".html", ".htm"):
-        raise TilewrightValueError(f"{path} ends in {path.suffix or 'nothing'!r}; a viewer is an .html file")
+        raise TilewrightValueError(
+            f"{path} ends in {path.suffix or 'nothing'!r}; a viewer is an .html file", value=path
+        )
     check_file(path)
     return path
 
 
 def _check_comparison(compare: Any, material: TextureTiles) -> None:
-    if not isinstance(compare, SideBySide):
-        raise TilewrightTypeError(
-            f"compare must be what compare_textures() returns, not {type(compare).__name__}"
-        )
+    check_type("compare", compare, SideBySide, "what compare_textures() returns")
     if compare.material is not material:
         raise TilewrightValueError(
-            "compare is about another material; give compare_textures() of the one that is shown"
+            "is about another material",
+            argument="compare",
+            advice="give compare_textures() of the one that is shown",
         )
 
 

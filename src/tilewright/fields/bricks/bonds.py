@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_int
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_choice, check_int, type_error
+from tilewright.errors import TilewrightValueError
 from tilewright.fields.bricks.patterns import SIZE, BrickPattern, Range, check_size
 from tilewright.tilings import Domain
 
@@ -48,7 +48,8 @@ class BondBricks(BrickPattern):
         if width % (parts or self.course):
             rule = f"{parts}" if parts else f"its height, {self.course}"
             raise TilewrightValueError(
-                f"size is {width} x {self.course}; for {bond} the width must be a multiple of {rule}"
+                f"is {width} x {self.course}; for {bond} the width must be a multiple of {rule}",
+                argument="size",
             )
         self.length = parts or width // self.course
         self.unit = (width // self.length, self.course)
@@ -58,14 +59,16 @@ class BondBricks(BrickPattern):
     def _close(self, bond: str, period: Any) -> tuple[int | None, ...]:
         """The period in units, checked."""
         if not isinstance(period, (tuple, list)) or len(period) != 2:
-            raise TilewrightTypeError(f"period must be a tuple of 2 numbers or None, not {period!r}")
+            raise type_error("period", period, "a tuple of 2 numbers or None")
         units: list[int | None] = []
         for axis, count in enumerate(period):
             each, repeat = (self.length, 1)[axis], self._repeat[axis]
             least = lcm(each, repeat) // each
             if count is not None and check_int("period", count, 1, _LONGEST_PERIOD) % least:
                 raise TilewrightValueError(
-                    f"period is {count} along {'xy'[axis]}; {bond} closes after multiples of {least}"
+                    f"is {count} along {'xy'[axis]}; {bond} closes after multiples of {least}",
+                    argument="period",
+                    value=count,
                 )
             units.append(None if count is None else count * each)
         return tuple(units)

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_choice, check_type
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields.bricks.patterns import SIZE, BrickPattern, Bricks, RegionBricks, WangBricks
 from tilewright.fields.bricks.relief import MARGIN, light
 from tilewright.files.atomic import as_path, whole_folder
@@ -73,10 +73,9 @@ class BrickField:
         size: tuple[int, int] | None = None,
         seed: int = 0,
     ) -> None:
-        if style is not None and not isinstance(style, BrickStyle):
-            raise TilewrightTypeError(f"style must be a BrickStyle, not {type(style).__name__}")
+        check_type("style", style, (BrickStyle, type(None)), "a BrickStyle")
         if isinstance(pattern, BrickPattern) and size is not None:
-            raise TilewrightValueError("size is for tilings; this pattern has a size of its own")
+            raise TilewrightValueError("is for tilings; this pattern has a size of its own", argument="size")
         size = SIZE if size is None else size
         if isinstance(pattern, BrickRegion):
             self.pattern: BrickPattern = RegionBricks(pattern, size)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int
+from tilewright.checks import check_int, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.signals.bricks.edges import check_traversed, find_thinnest, place_positions
 from tilewright.tilings import Domain, Tiling
@@ -94,7 +94,9 @@ class BrickPattern(ABC):
             low, high = ((-reach, reach) if bound is None else bound)[:2]
             low, high = low * self.unit[axis], high * self.unit[axis]
             if bound is not None and count > high - low:
-                raise TilewrightValueError(f"{extent} is {count}; the wall has {high - low} pixels")
+                raise TilewrightValueError(
+                    f"is {count}; the wall has {high - low} pixels", argument=extent, value=count
+                )
             check_int(name, first, low, high - count)
         return int(x), int(y), int(width), int(height)
 
@@ -260,7 +262,7 @@ class RegionBricks(PositionBricks):
 def check_size(name: str, given: Any) -> tuple[int, int]:
     """Width and height in pixels."""
     if not isinstance(given, (tuple, list)) or len(given) != 2:
-        raise TilewrightTypeError(f"{name} must be a width and a height in pixels, not {given!r}")
+        raise type_error(name, given, "a width and a height in pixels")
     width, height = (check_int(name, side, 4, _LARGEST_BRICK) for side in given)
     return width, height
 

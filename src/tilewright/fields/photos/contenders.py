@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_type
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields.photos.methods import HexField, NoiseField, PhotoField, RepeatField
 from tilewright.fields.textures import TextureField
 from tilewright.signals.textures import TextureTiles
@@ -89,11 +90,10 @@ def side_by_side(material: TextureTiles, *, seed: int = 0, progress: Progress | 
     TilewrightValueError
         The material was made from several photographs.
     """
-    if not isinstance(material, TextureTiles):
-        raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+    check_type("material", material, TextureTiles, "TextureTiles")
     if len(material.sources) != 1:
         raise TilewrightValueError(
-            f"material was made from {len(material.sources)} photographs; a comparison takes one"
+            f"was made from {len(material.sources)} photographs; a comparison takes one", argument="material"
         )
     other = _other_kind(material, progress)
     wang, corner = (material, other) if "N" in material.tiles.shape.slots else (other, material)

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_int, check_real
+from tilewright.checks import check_int, check_out, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.fields.agreement import check_agreement
 from tilewright.fields.points.nearest import NearestSearch
@@ -153,7 +153,9 @@ class PointField:
         """
         n = check_int("count", count, 1, MOST_POINTS, "sample_blocks() gives larger sets a piece at a time")
         if (width is None) != (height is None):
-            raise TilewrightTypeError("width and height go together; leave out both for the smallest square")
+            raise TilewrightTypeError(
+                "width and height go together", advice="leave out both for the smallest square"
+            )
         if width is None or height is None:
             width = height = self.side_for(n, x, y)
         window = Window.of(x, y, width, height)
@@ -263,8 +265,8 @@ class PointField:
         periods = self.tiling.domain.periods
         if any(p is None for p in periods):
             raise TilewrightValueError(
-                f"the tiling's domain is a {self.tiling.domain.kind}; direct(tiles, period=(n, n)) makes "
-                "a torus"
+                f"the tiling's domain is a {self.tiling.domain.kind}",
+                advice="direct(tiles, period=(n, n)) makes a torus",
             )
         width, height = (int(p) for p in periods if p is not None)
         box = Box((float(width), float(height)))
@@ -373,24 +375,17 @@ def _make_out(n: int) -> NDArray[np.float64]:
         return np.empty((n, 2))
     except MemoryError:
         raise TilewrightValueError(
-            f"{n} points do not fit in memory; blocks() gives them a piece at a time"
+            f"{n} points do not fit in memory", advice="blocks() gives them a piece at a time"
         ) from None
 
 
 def _check_out(out: Any, n: int) -> NDArray[Any]:
     if out is None:
         return _make_out(n)
-    if type(out) is not np.ndarray:
-        raise TilewrightTypeError(f"out must be an array, not {type(out).__name__}")
-    if (
-        out.ndim != 2
-        or out.shape[1] != 2
-        or len(out) < n
-        or out.dtype not in (np.float32, np.float64)
-        or not (out.flags.c_contiguous and out.flags.writeable)
-    ):
-        raise TilewrightValueError(
-            f"out is {out.dtype} {out.shape}, C-contiguous: {out.flags.c_contiguous}, writable: "
-            f"{out.flags.writeable}; expected float32 or float64 (at least {n}, 2), C-contiguous and writable"
-        )
+    kinds = (np.float32, np.float64)
+    check_out(
+        out,
+        lambda o: o.ndim == 2 and o.shape[1] == 2 and len(o) >= n and o.dtype in kinds,
+        f"float32 or float64 (at least {n}, 2)",
+    )
     return out[:n]

@@ -76,5 +76,7 @@ def evaluate_density(density: DensityFunction, points: NDArray[np.float64]) -> N
 def _check_enough(count: int, there: int) -> None:
     if there < count:
         raise TilewrightValueError(
-            f"count is {count}; the window holds {there} points, so ask for fewer or for a larger one"
+            f"is {count}; the window holds {there} points, so ask for fewer or for a larger one",
+            argument="count",
+            value=count,
         )

@@ -90,7 +90,9 @@ class Window:
         for name, value in (("width", width), ("height", height)):
             size.append(check_real(name, value, 0.0, float(LARGEST_CELL)))
             if not size[-1] > 0:
-                raise TilewrightValueError(f"{name} is {value}; a window needs more than 0")
+                raise TilewrightValueError(
+                    f"is {value}; a window needs more than 0", argument=name, value=value
+                )
         column, row = floor(x), floor(y)
         left, top = float(x - column), float(y - row)
         return cls(column, row, left, top, left + size[0], top + size[1], (left, top))
@@ -139,8 +141,9 @@ class Window:
             if float(np.spacing(kind.type(farthest))) > _COARSEST * spacing:
                 advice = "float64 or smaller windows" if local or kind == np.float32 else "local=True"
                 raise TilewrightValueError(
-                    f"coordinates of {farthest:.6g} tiles in {kind} are too coarse for points {spacing:.3g} "
-                    f"apart; use {advice}"
+                    f"coordinates of {farthest:.6g} tiles in {kind} are too coarse for points "
+                    f"{spacing:.3g} apart",
+                    advice=f"use {advice}",
                 )
         return x, y
 
@@ -158,8 +161,9 @@ class View:
         about = window.columns * window.rows * max(density, 1)
         if about > MOST_POINTS:
             raise TilewrightValueError(
-                f"a window of {window.columns} x {window.rows} tiles holds about {about:.3g} points, more "
-                "than can be given at once; blocks() gives them a piece at a time"
+                f"a window of {window.columns} x {window.rows} tiles holds about {about:.3g} points, "
+                "more than can be given at once",
+                advice="blocks() gives them a piece at a time",
             )
         return cls(window, look_up(window.column, window.row, window.columns, window.rows))
 

@@ -10,7 +10,12 @@ from tilewright.tiles import WANG, TileSet
 def check_traversed(tiles: TileSet) -> TileSet:
     """``tiles`` if a line traverses each of them (Kaji et al. 2016, section 4)."""
     if tiles.shape is not WANG:
-        raise TilewrightTypeError(f"tiles must be brick Wang tiles, not {tiles.shape.name} tiles")
+        raise TilewrightTypeError(
+            f"must be brick Wang tiles, not {tiles.shape.name} tiles",
+            argument="tiles",
+            value=tiles.shape.name,
+            allowed="brick Wang tiles",
+        )
     north, east, south, west = tiles.slots.T
     free = ((north != south) & (west != east)).nonzero()[0]
     if len(free):
@@ -27,7 +32,7 @@ def place_positions(count: int, length: int) -> NDArray[np.int64]:
     at = np.rint((np.arange(count) + 1) * length / (count + 1)).astype(np.int64)
     if len(np.unique(at)) < count:
         raise TilewrightValueError(
-            f"{count} positions do not fit on an edge of {length} pixels; take at least {count + 1}"
+            f"{count} positions do not fit on an edge of {length} pixels", advice=f"take at least {count + 1}"
         )
     return at
 

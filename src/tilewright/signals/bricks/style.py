@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_int, check_real
+from tilewright.checks import check_choice, check_int, check_real, range_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 Color = tuple[int, int, int]
@@ -94,8 +94,11 @@ class BrickStyle:
         mortar = self.mortar or max(1, min(round(course / 8), round(thinnest / 4)))
         if mortar + 2 > thinnest:
             raise TilewrightValueError(
-                f"mortar is {mortar} pixels, and the thinnest brick {thinnest} with half of it on either "
-                f"side; allowed are up to {max(thinnest - 2, 0)}: or take a larger size, or fewer positions"
+                f"is {mortar} pixels, and the thinnest brick {thinnest} with half of it on either side; "
+                f"allowed are up to {max(thinnest - 2, 0)}: or take a larger size, or fewer positions",
+                argument="mortar",
+                value=mortar,
+                allowed=f"up to {max(thinnest - 2, 0)}",
             )
         room = (thinnest - mortar) / 2
         bevel = min(0.8 * mortar if self.bevel is None else float(self.bevel), room)
@@ -170,7 +173,12 @@ def _check_colors(name: str, given: Any) -> tuple[Color, ...]:
     except ValueError:
         colors = np.empty(0, object)
     if colors.ndim != 2 or colors.shape[1] != 3 or not len(colors) or colors.dtype.kind not in "iu":
-        raise TilewrightTypeError(f"{name} must hold whole numbers (red, green, blue), not {given!r}")
+        raise TilewrightTypeError(
+            f"must hold whole numbers (red, green, blue), not {given!r}",
+            argument=name,
+            value=given,
+            allowed="whole numbers (red, green, blue)",
+        )
     if colors.min() < 0 or colors.max() > 255:
-        raise TilewrightValueError(f"{name} holds {colors.min()} to {colors.max()}; allowed are 0 to 255")
+        raise range_error(name, colors, "0 to 255")
     return tuple((int(red), int(green), int(blue)) for red, green, blue in colors)

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_int, check_type
+from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.signals.bricks.edges import check_traversed, find_thinnest, place_positions
 from tilewright.signals.bricks.painting import CHANCES, paint
@@ -62,8 +62,7 @@ def brick_texture_tiles(
     So noise goes on smoothly across borders, with its slopes.
     """
     check_traversed(check_tiles("tiles", tiles))
-    if style is not None and not isinstance(style, BrickStyle):
-        raise TilewrightTypeError(f"style must be a BrickStyle, not {type(style).__name__}")
+    check_type("style", style, (BrickStyle, type(None)), "a BrickStyle")
     style = replace(style or BrickStyle(), variation=0.0)
     size = check_int("tile_size", tile_size, 32, 1024)
     check_seed(seed)
@@ -150,8 +149,11 @@ def _as_material(tiles: TileSet, maps: dict[str, NDArray[Any]], recipe: dict[str
     columns = count // rows
     if columns * size > _LARGEST_SHEET:
         raise TilewrightValueError(
-            f"tile_size is {size}; the sheet of {columns} x {rows} tiles may have {_LARGEST_SHEET} pixels on "
-            f"a side, so allowed are up to {_LARGEST_SHEET // columns}"
+            f"is {size}; the sheet of {columns} x {rows} tiles may have {_LARGEST_SHEET} pixels on a "
+            f"side, so allowed are up to {_LARGEST_SHEET // columns}",
+            argument="tile_size",
+            value=size,
+            allowed=f"up to {_LARGEST_SHEET // columns}",
         )
     sheet = {
         name: np.ascontiguousarray(pixels.reshape(rows, columns, size, size, -1).swapaxes(1, 2)).reshape(

@@ -87,8 +87,8 @@ def _grow_kind(plan: Plan, parts: Parts, kind: int, is_first: bool, choose: bool
             owners, points, counts = owners[good], points[good], counts[good]
     if (counts < 0).any():
         raise TilewrightValueError(
-            f"no way was found to keep points {plan.distance:.4f} tiles apart along the borders of tiles; "
-            "ask for less rho"
+            f"no way was found to keep points {plan.distance:.4f} tiles apart along the borders of tiles",
+            advice="ask for less rho",
         )
     return Batch(kind, items, owners, points, counts)
 

@@ -156,7 +156,9 @@ class Surroundings:
         """Of one tile of a set."""
         found = cls(neighbors, [np.flatnonzero(neighbors.fits[d, tile]) for d in _RING])
         if not found.count:
-            raise TilewrightValueError(f"tiles: nothing fits all around tile {tile}; leave it out of the set")
+            raise TilewrightValueError(
+                f"tiles: nothing fits all around tile {tile}", advice="leave it out of the set"
+            )
         return found
 
     def draw(self, count: int, rng: np.random.Generator) -> NDArray[np.int32]:

@@ -88,7 +88,10 @@ def kopf_tiles(
     count = check_int("points", points, _FEWEST_EACH * n * n, _MOST_POINTS)
     if count % (n * n):
         raise TilewrightValueError(
-            f"points is {count}; it must be a multiple of {n * n}, as {count // n**2 * n**2}"
+            f"is {count}; it must be a multiple of {n * n}, as {count // n**2 * n**2}",
+            argument="points",
+            value=count,
+            allowed=f"a multiple of {n * n}, as {count // n**2 * n**2}",
         )
     tiles = compact_wang_tiles(check_int("colors", colors, 2, 3))
     key = make_key(seed)

@@ -32,7 +32,7 @@ class Neighbors:
         """Of a set of square tiles."""
         if check_tiles("tiles", tiles).shape.dimension != 2:
             raise TilewrightValueError(
-                f"tiles is a set of {tiles.shape.name} tiles; points need square tiles"
+                f"is a set of {tiles.shape.name} tiles; points need square tiles", argument="tiles"
             )
         east, south = (_joined(tiles, axis) for axis in (0, 1))
         south_east = _linked(east, south) & _linked(south, east)

@@ -57,8 +57,11 @@ class Plan:
         largest = LARGEST_RADIUS / max_radius(points, Box()) / (1 + _SLACK)
         if rho > largest:
             raise TilewrightValueError(
-                f"rho is {rho}; with {points} points disks are too large for a tile beyond "
-                f"{int(100 * largest) / 100}; ask for more points per tile or less rho"
+                f"is {rho}; with {points} points disks are too large for a tile beyond "
+                f"{int(100 * largest) / 100}",
+                argument="rho",
+                value=rho,
+                advice="ask for more points per tile or less rho",
             )
         return cls(
             tiles, anatomy_of(tiles), Regions(distance / 2, shape), points, distance, variants, key, lloyd

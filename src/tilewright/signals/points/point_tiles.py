@@ -58,8 +58,11 @@ class PointTiles:
         n = len(self.points)
         if self.points.shape != (n, 2) or self.ranks.shape != (n,) or self.starts.ndim != 1:
             raise TilewrightValueError(
-                f"points has shape {self.points.shape}, ranks {self.ranks.shape} and starts "
-                f"{self.starts.shape}; expected (P, 2), (P,) and one axis"
+                f"has shape {self.points.shape}, ranks {self.ranks.shape} and starts {self.starts.shape}"
+                "; expected (P, 2), (P,) and one axis",
+                argument="points",
+                value=self.points.shape,
+                allowed="(P, 2), (P,) and one axis",
             )
         object.__setattr__(self, "variants", check_int("variants", self.variants, 1, 2**31))
         object.__setattr__(self, "distance", check_real("distance", self.distance, 0.0, 1.5))
@@ -67,21 +70,23 @@ class PointTiles:
             raise TilewrightTypeError("method must be a word and recipe a dict")
         if len(self.starts) != len(self.tiles) * self.variants + 1:
             raise TilewrightValueError(
-                f"starts has {len(self.starts)} entries; {len(self.tiles)} tiles of {self.variants} variants "
-                f"need {len(self.tiles) * self.variants + 1}"
+                f"has {len(self.starts)} entries; {len(self.tiles)} tiles of {self.variants} variants "
+                f"need {len(self.tiles) * self.variants + 1}",
+                argument="starts",
+                value=len(self.starts),
             )
         if self.starts[0] != 0 or self.starts[-1] != n or (np.diff(self.starts) < 0).any():
-            raise TilewrightValueError(f"starts must rise from 0 to the number of points, {n}")
+            raise TilewrightValueError(f"must rise from 0 to the number of points, {n}", argument="starts")
         if not ((self.points >= 0) & (self.points < 1)).all():
-            raise TilewrightValueError("points must lie in their tile, from 0 up to 1")
+            raise TilewrightValueError("must lie in their tile, from 0 up to 1", argument="points")
         if not ((self.ranks >= 0) & (self.ranks < 1)).all():
-            raise TilewrightValueError("ranks must be from 0 up to 1")
+            raise TilewrightValueError("must be from 0 up to 1", argument="ranks", allowed="from 0 up to 1")
         firsts = self.starts[:-1][np.diff(self.starts) > 0]
         falls = np.diff(self.ranks, prepend=np.float32(0)) < 0
         falls[firsts] = False
         if falls.any():
             raise TilewrightValueError(
-                "ranks must not fall within a tile; PointTiles.of() sorts points by rank"
+                "must not fall within a tile", argument="ranks", advice="PointTiles.of() sorts points by rank"
             )
 
     @classmethod
@@ -135,4 +140,6 @@ def _as_array(name: str, given: Any, kind: type[np.generic]) -> NDArray[Any]:
             raise TypeError
         return np.ascontiguousarray(array, kind)
     except (TypeError, ValueError):
-        raise TilewrightTypeError(f"{name} must hold {np.dtype(kind)} numbers") from None
+        raise TilewrightTypeError(
+            f"must hold {np.dtype(kind)} numbers", argument=name, allowed=f"{np.dtype(kind)} numbers"
+        ) from None

@@ -10,8 +10,8 @@ from math import inf, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_real
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_real, check_type
+from tilewright.errors import TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import max_radius
 from tilewright.signals.points.point_tiles import PointTiles
@@ -71,12 +71,11 @@ def find_closeness(tiles: PointTiles, reach: float = 1.0) -> Closeness:
         Points farther than this from an edge or corner are not looked at beyond it: what is found is
         right where it is less.
     """
-    if not isinstance(tiles, PointTiles):
-        raise TilewrightTypeError(f"tiles must be PointTiles, not {type(tiles).__name__}")
+    check_type("tiles", tiles, PointTiles, "PointTiles")
     if tiles.tiles.shape.dimension != 2:
         raise TilewrightValueError(f"the {tiles.tiles.name} set has no square tiles")
     if not check_real("reach", reach, 0.0, inf) > 0:
-        raise TilewrightValueError(f"reach is {reach}; more than 0 is needed")
+        raise TilewrightValueError(f"is {reach}; more than 0 is needed", argument="reach", value=reach)
     from tilewright.kernels.closeness import find_closest_within
 
     points = tiles.points.astype(np.float64)

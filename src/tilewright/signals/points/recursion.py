@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, check_real
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import as_integers, check_real, check_type, shape_error
+from tilewright.errors import TilewrightValueError
 from tilewright.signals.points.point_tiles import PointTiles
 from tilewright.tiles import TileSet
 
@@ -41,8 +41,10 @@ def find_children(tiles: TileSet, n: int, rng: np.random.Generator) -> NDArray[n
         else:
             return np.array(found)
     raise TilewrightValueError(
-        f"subdivision is {n}; no rule was found by which each of {len(tiles)} tiles divides into {n} x {n}; "
-        "ask for a larger one or for fewer colors"
+        f"is {n}; no rule was found by which each of {len(tiles)} tiles divides into {n} x {n}",
+        argument="subdivision",
+        value=n,
+        advice="ask for a larger one or for fewer colors",
     )
 
 
@@ -101,11 +103,10 @@ def _arrange(tiles: TileSet, frame: Frame, rng: np.random.Generator) -> NDArray[
 
 def children_of(tiles: PointTiles) -> NDArray[np.int32]:
     """The arrangement of smaller tiles that each tile is made of, int32, shape (T, n, n)."""
-    if not isinstance(tiles, PointTiles):
-        raise TilewrightTypeError(f"tiles must be PointTiles, not {type(tiles).__name__}")
+    check_type("tiles", tiles, PointTiles, "PointTiles")
     if "children" not in tiles.figures:
         raise TilewrightValueError(
-            f"tiles were made by {tiles.method!r} and do not subdivide; kopf_tiles() do"
+            f"were made by {tiles.method!r} and do not subdivide", argument="tiles", advice="kopf_tiles() do"
         )
     return np.array(tiles.figures["children"], np.int32)
 
@@ -140,9 +141,7 @@ def recursive_points(tiles: PointTiles, cells: ArrayLike, density: float) -> NDA
     children = children_of(tiles)
     at = as_integers("cells", cells).astype(np.int32)
     if at.ndim != 2 or not at.size or at.min() < 0 or at.max() >= len(children):
-        raise TilewrightValueError(
-            f"cells has shape {at.shape}; expected tile indices 0 to {len(children) - 1} in rows and columns"
-        )
+        raise shape_error("cells", at.shape, f"tile indices 0 to {len(children) - 1} in rows and columns")
     wanted = check_real("density", density, 0, _MOST_POINTS / at.size)
     n = children.shape[1]
     scale = 1

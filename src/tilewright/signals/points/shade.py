@@ -73,7 +73,10 @@ def shade_tiles(
     distance = 2 * fraction * max_radius(asked, Box())
     if distance > 1:
         raise TilewrightValueError(
-            f"rho is {rho}; the distance for {asked} points would be more than a tile; ask for more points"
+            f"is {rho}; the distance for {asked} points would be more than a tile",
+            argument="rho",
+            value=rho,
+            advice="ask for more points",
         )
     from tilewright.kernels.wang_points import throw_tile_darts
 

@@ -11,7 +11,8 @@ from math import ceil, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_type
+from tilewright.errors import TilewrightValueError
 from tilewright.signals.points.point_tiles import PointTiles
 
 _USUAL_POINTS = 16384
@@ -76,8 +77,7 @@ class Spikes:
 
 def find_spikes(tiles: PointTiles) -> Spikes:
     """The spikes that every tiling with a set has, all its tiles being equally frequent."""
-    if not isinstance(tiles, PointTiles):
-        raise TilewrightTypeError(f"tiles must be PointTiles, not {type(tiles).__name__}")
+    check_type("tiles", tiles, PointTiles, "PointTiles")
     n = tiles.density
     if n == 0:
         raise TilewrightValueError("the tiles hold no points, so they have no spectrum")

@@ -74,19 +74,23 @@ def poisson_tiles(
     check_tiles("tiles", tiles)
     if len(tiles) > _MOST_TILES:
         raise TilewrightValueError(
-            f"tiles has {len(tiles)} tiles; at most {_MOST_TILES} can be filled, those of 8 corner colors"
+            f"has {len(tiles)} tiles; at most {_MOST_TILES} can be filled, those of 8 corner colors",
+            argument="tiles",
+            value=len(tiles),
         )
     points = check_int("points", points, _FEWEST, _MOST, "more points lie in more tiles")
     check_choice("method", method, METHODS)
     variants = check_int("variants", variants, 1, max(1, _MOST_INTERIORS // len(tiles)))
     if len(tiles) * variants == 1:
         raise TilewrightValueError(
-            "tiles has a single tile, which would repeat; take more colors, or variants"
+            "has a single tile, which would repeat", argument="tiles", advice="take more colors, or variants"
         )
     rho = check_real("rho", rho, 0.0, 1.0)
     if not 0 < rho <= _LARGEST_RHO[method]:
         raise TilewrightValueError(
-            f"rho is {rho}; {method} tiles reach more than 0 and up to {_LARGEST_RHO[method]}"
+            f"is {rho}; {method} tiles reach more than 0 and up to {_LARGEST_RHO[method]}",
+            argument="rho",
+            value=rho,
         )
     key = make_key(seed)
     for attempt in range(_TRIES):
@@ -96,8 +100,10 @@ def poisson_tiles(
         if parts is not None:
             return _finish(plan, parts, rho, method, seed, progress)
     raise TilewrightValueError(
-        f"rho is {rho}; some of the {len(tiles)} tiles found no room for {points} points in {_TRIES} trials; "
-        "0.85 can be reached with 16 points and more, 0.80 with 12"
+        f"is {rho}; some of the {len(tiles)} tiles found no room for {points} points in {_TRIES} "
+        "trials; 0.85 can be reached with 16 points and more, 0.80 with 12",
+        argument="rho",
+        value=rho,
     )
 
 

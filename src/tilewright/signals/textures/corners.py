@@ -148,8 +148,9 @@ def _sample(
     y, x = places.nonzero()
     if not len(y):
         raise TilewrightValueError(
-            f"source {source} has no usable square of {2 * reach + 2} pixels, which tiles of "
-            f"{search.size} pixels need; choose a smaller tile size or a larger photograph"
+            f"has no usable square of {2 * reach + 2} pixels, which tiles of {search.size} pixels need",
+            argument=f"source {source}",
+            advice="choose a smaller tile size or a larger photograph",
         )
     pick = np.sort(rng.choice(len(y), min(SAMPLES, len(y)), replace=False))
     return y[pick] + reach, x[pick] + reach

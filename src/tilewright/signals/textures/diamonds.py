@@ -82,8 +82,9 @@ def choose_samples(
     y, x = search.matcher.places((0,)).nonzero()
     if not len(y):
         raise TilewrightValueError(
-            f"source 0 has no usable square of {search.size + 2} pixels, which tiles of {search.size} "
-            "pixels need; choose a smaller tile size or a larger photograph"
+            f"has no usable square of {search.size + 2} pixels, which tiles of {search.size} pixels need",
+            argument="source 0",
+            advice="choose a smaller tile size or a larger photograph",
         )
     pick = np.sort(rng.choice(len(y), min(SAMPLES, len(y)), replace=False))
     y, x = y[pick], x[pick]
@@ -171,8 +172,8 @@ def _improve(
             best, best_error = list(chosen), error
     if best is None:
         raise TilewrightValueError(
-            f"the exemplar is too small for {slots} samples that lie half a tile apart; choose a smaller "
-            "tile size, fewer colors or a larger photograph"
+            f"the exemplar is too small for {slots} samples that lie half a tile apart",
+            advice="choose a smaller tile size, fewer colors or a larger photograph",
         )
     return best
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_real
+from tilewright.checks import check_choice, check_real, shape_error, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.signals.textures.kinds import KINDS, guess_kind, is_normal
 
@@ -57,7 +57,11 @@ class Exemplar:
         kinds: dict[str, str] | None = None,
     ) -> None:
         if not isinstance(sources, Sequence) or not all(isinstance(s, Mapping) for s in sources):
-            raise TilewrightTypeError("sources must be a sequence of dicts of map name to array")
+            raise TilewrightTypeError(
+                "must be a sequence of dicts of map name to array",
+                argument="sources",
+                allowed="a sequence of dicts of map name to array",
+            )
         if not sources or not sources[0]:
             raise TilewrightValueError("an exemplar needs at least one source with at least one map")
         checked = tuple(_check_source(n, source) for n, source in enumerate(sources))
@@ -77,7 +81,7 @@ class Exemplar:
 def check_kinds(given: Any, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
     """What each map holds: as given, else guessed."""
     if given is not None and not isinstance(given, Mapping):
-        raise TilewrightTypeError(f"kinds must be a dict of map name to kind, not {given!r}")
+        raise type_error("kinds", given, "a dict of map name to kind")
     for name in maps:
         if not _is_name(name):
             raise TilewrightValueError(
@@ -91,7 +95,9 @@ def check_kinds(given: Any, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
     for name, kind in kinds.items():
         if is_normal(kind) and maps[name].shape[-1] == 1:
             raise TilewrightValueError(
-                f"map {name!r} has one channel and holds no normals; name its kind, one of {', '.join(KINDS)}"
+                "has one channel and holds no normals",
+                argument=f"map {name!r}",
+                advice=f"name its kind, one of {', '.join(KINDS)}",
             )
     return kinds
 
@@ -103,13 +109,15 @@ def _is_name(name: Any) -> bool:
 
 def _check_weights(given: Any, kinds: dict[str, str]) -> dict[str, float]:
     if given is not None and not isinstance(given, Mapping):
-        raise TilewrightTypeError(f"weights must be a dict of map name to number, not {given!r}")
+        raise type_error("weights", given, "a dict of map name to number")
     weights = {name: WEIGHTS[kind] for name, kind in kinds.items()}
     for name, weight in (given or {}).items():
         check_choice("a map of weights", name, tuple(kinds))
         weights[name] = check_real(f"weight of map {name!r}", weight, 0, 1e6)
     if not any(weights.values()):
-        raise TilewrightValueError(f"weights is {weights}; at least one map must count")
+        raise TilewrightValueError(
+            f"is {weights}; at least one map must count", argument="weights", value=weights
+        )
     return weights
 
 
@@ -132,25 +140,36 @@ def check_map(what: str, given: Any) -> NDArray[Any]:
         with np.errstate(over="ignore"):  # what does not fit is refused below
             pixels = pixels.astype(np.float32)
     if pixels.dtype not in (np.uint8, np.uint16, np.float32):
-        raise TilewrightTypeError(f"{what} has type {pixels.dtype}; allowed are uint8, uint16, float32")
+        raise TilewrightTypeError(
+            f"has type {pixels.dtype}; allowed are uint8, uint16, float32",
+            argument=what,
+            value=pixels.dtype,
+            allowed="uint8, uint16, float32",
+        )
     if pixels.ndim == 2:
         pixels = pixels[..., np.newaxis]
     if pixels.ndim != 3 or not 1 <= pixels.shape[2] <= 4:
-        raise TilewrightValueError(
-            f"{what} has shape {np.shape(given)}; expected (height, width) or "
-            "(height, width, channels) with 1 to 4 channels"
+        raise shape_error(
+            what, np.shape(given), "(height, width) or (height, width, channels) with 1 to 4 channels"
         )
     if min(pixels.shape[:2]) < SMALLEST_SIDE or max(pixels.shape[:2]) > LARGEST_SIDE:
         raise TilewrightValueError(
-            f"{what} is {pixels.shape[1]} x {pixels.shape[0]} pixels; "
-            f"allowed are {SMALLEST_SIDE} to {LARGEST_SIDE} on each side"
+            f"is {pixels.shape[1]} x {pixels.shape[0]} pixels; allowed are {SMALLEST_SIDE} to "
+            f"{LARGEST_SIDE} on each side",
+            argument=what,
+            allowed=f"{SMALLEST_SIDE} to {LARGEST_SIDE} on each side",
         )
     if pixels.dtype == np.float32 and not np.isfinite(pixels).all():
         y, x = (int(v[0]) for v in (~np.isfinite(pixels).all(axis=2)).nonzero())
-        raise TilewrightValueError(f"{what} is not finite at x={x}, y={y}; NaN and infinity are not allowed")
+        raise TilewrightValueError(
+            f"is not finite at x={x}, y={y}; NaN and infinity are not allowed", argument=what
+        )
     if pixels.dtype == np.float32 and np.abs(pixels).max() > LARGEST_VALUE:
         raise TilewrightValueError(
-            f"{what} holds {np.abs(pixels).max():.3g}; allowed are -{LARGEST_VALUE:g} to {LARGEST_VALUE:g}"
+            f"holds {np.abs(pixels).max():.3g}; allowed are -{LARGEST_VALUE:g} to {LARGEST_VALUE:g}",
+            argument=what,
+            value=np.abs(pixels).max(),
+            allowed=f"-{LARGEST_VALUE:g} to {LARGEST_VALUE:g}",
         )
     return np.ascontiguousarray(pixels)
 
@@ -161,7 +180,8 @@ def _check_alike(sources: tuple[Maps, ...]) -> None:
         here = {name: (m.dtype, m.shape[2]) for name, m in source.items()}
         if here != first:
             raise TilewrightValueError(
-                f"source {number} has maps {_listing(here)}; source 0 has {_listing(first)}: they must agree"
+                f"has maps {_listing(here)}; source 0 has {_listing(first)}: they must agree",
+                argument=f"source {number}",
             )
 
 
@@ -176,11 +196,18 @@ def _check_mask(number: int, mask: Any, source: Maps) -> NDArray[np.bool_]:
     usable = np.asarray(mask)
     if usable.shape != size:
         raise TilewrightValueError(
-            f"the mask of source {number} has shape {usable.shape}; its source has {size}"
+            f"has shape {usable.shape}; its source has {size}",
+            argument=f"the mask of source {number}",
+            value=usable.shape,
         )
     if usable.dtype.kind not in "buif" or (usable.dtype.kind == "f" and not np.isfinite(usable).all()):
-        raise TilewrightTypeError(f"the mask of source {number} holds {usable.dtype}; use bool, without NaN")
+        raise TilewrightTypeError(
+            f"holds {usable.dtype}",
+            argument=f"the mask of source {number}",
+            value=usable.dtype,
+            advice="use bool, without NaN",
+        )
     usable = usable.astype(bool)
     if not usable.any():
-        raise TilewrightValueError(f"the mask of source {number} leaves no pixel to copy")
+        raise TilewrightValueError("leaves no pixel to copy", argument=f"the mask of source {number}")
     return usable

@@ -70,7 +70,8 @@ def make_plan(tiles: TileSet, sources: int) -> Plan:
     """
     if "NE" not in tiles.shape.slots:
         raise TilewrightValueError(
-            f"nested patches need corner colors and {tiles.shape.name} tiles have none; use method 'diamonds'"
+            f"nested patches need corner colors and {tiles.shape.name} tiles have none",
+            advice="use method 'diamonds'",
         )
     names = tiles.shape.slots
     corners = tiles.slots[:, [names.index(c) for c in ("NE", "SE", "SW", "NW")]].astype(np.int64)

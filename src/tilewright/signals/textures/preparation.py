@@ -83,8 +83,9 @@ def mend_normals(pixels: NDArray[Any], kind: str, name: str) -> NDArray[Any]:
     short = float((length < _SHORT).mean())
     if short > _FEW:
         raise TilewrightValueError(
-            f"map {name!r} holds no normals: {short:.0%} of its vectors are shorter than {_SHORT}; is it "
-            "another map? Name its kind, for example 'data'"
+            f"holds no normals: {short:.0%} of its vectors are shorter than {_SHORT}; is it another "
+            "map? Name its kind, for example 'data'",
+            argument=f"map {name!r}",
         )
     # Half a step of each component can change the length of an 8-bit vector by 0.007.
     tolerance = 0.008 if pixels.dtype == np.uint8 else 1e-3

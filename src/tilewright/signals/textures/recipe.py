@@ -4,7 +4,8 @@ from typing import Any
 
 import msgspec
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_type
+from tilewright.errors import TilewrightValueError
 from tilewright.signals.textures.texture_tiles import TextureTiles
 
 Spot = tuple[int, int, int]
@@ -31,8 +32,7 @@ class Recipe(msgspec.Struct):
     @classmethod
     def of(cls, material: TextureTiles) -> "Recipe":
         """The recipe of a material; an error where it has none that can be replayed."""
-        if not isinstance(material, TextureTiles):
-            raise TilewrightTypeError(f"material must be TextureTiles, not {type(material).__name__}")
+        check_type("material", material, TextureTiles, "TextureTiles")
         try:
             return msgspec.convert(material.recipe, cls)
         except msgspec.ValidationError as error:

@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from tilewright.checks import check_choice, check_int
+from tilewright.checks import check_choice, check_int, check_type, type_error
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError, TilewrightWarning
 from tilewright.seeds import check_seed
 from tilewright.signals.textures.diamonds import lay_burke, lay_diamonds, lay_diamonds_with_centers
@@ -99,8 +99,7 @@ def synthesize(
     """
     check_seed(seed)
     workers = os.cpu_count() or 1 if threads is None else check_int("threads", threads, 1, 1024)
-    if not isinstance(exemplar, Exemplar):
-        raise TilewrightTypeError(f"exemplar must be an Exemplar, not {type(exemplar).__name__}")
+    check_type("exemplar", exemplar, Exemplar, "an Exemplar")
     pick, reject = _check_choices(pick, reject)
     corners = "NE" in check_tiles("tiles", tiles).shape.slots
     if tiles.shape.dimension != 2:
@@ -111,7 +110,10 @@ def synthesize(
     allowed = CORNER_METHODS if corners else EDGE_METHODS
     if method not in allowed:
         raise TilewrightValueError(
-            f"method {method!r} does not go with {tiles.shape.name} tiles; allowed are {', '.join(allowed)}"
+            f"{method!r} does not go with {tiles.shape.name} tiles; allowed are {', '.join(allowed)}",
+            argument="method",
+            value=method,
+            allowed=", ".join(allowed),
         )
     regularity = find_regularity(next(iter(exemplar.sources[0].values())))
     size = _tile_size(tile_size, regularity)
@@ -163,9 +165,9 @@ def resynthesize(
     """
     recipe = Recipe.of(material)
     if isinstance(reject, str) or not isinstance(reject, Iterable):
-        raise TilewrightTypeError(f"reject must be a list of patch names, not {reject!r}")
+        raise type_error("reject", reject, "a list of patch names")
     if pick is not None and not isinstance(pick, Mapping):
-        raise TilewrightTypeError(f"pick must be a dict of patch name to (source, y, x), not {pick!r}")
+        raise type_error("pick", pick, "a dict of patch name to (source, y, x)")
     rejected = {name: list(spots) for name, spots in recipe.rejected.items()}
     picked = recipe.picked | dict(pick or {})
     for name in reject:
@@ -194,16 +196,18 @@ def _check_choices(
     """An artist's choices, well formed."""
     for what, given in (("pick", pick), ("reject", reject)):
         if given is not None and not isinstance(given, Mapping):
-            raise TilewrightTypeError(f"{what} must be a dict by patch name, not {given!r}")
+            raise type_error(what, given, "a dict by patch name")
     pick, reject = pick or {}, reject or {}
     spots = [(f"pick[{name!r}]", spot) for name, spot in pick.items()]
     for name, rejected in reject.items():
         if not isinstance(rejected, (list, tuple)):
-            raise TilewrightTypeError(f"reject[{name!r}] must be a list of (source, y, x), not {rejected!r}")
+            raise type_error(f"reject[{name!r}]", rejected, "a list of (source, y, x)")
         spots += [(f"reject[{name!r}]", spot) for spot in rejected]
     for what, spot in spots:
         if not isinstance(spot, (list, tuple)) or len(spot) != 3:
-            raise TilewrightTypeError(f"{what} must hold (source, y, x), not {spot!r}")
+            raise TilewrightTypeError(
+                f"must hold (source, y, x), not {spot!r}", argument=what, value=spot, allowed="(source, y, x)"
+            )
     return pick, reject
 
 
@@ -214,7 +218,9 @@ def _method(method: str, tiles: TileSet, sources: int) -> tuple[Lay, int]:
     """The function that lays all tiles, and the number of patches it lays."""
     if method in EDGE_METHODS:
         if sources > 1:
-            raise TilewrightValueError("two sources need corner colors; use corner or corner-coded tiles")
+            raise TilewrightValueError(
+                "two sources need corner colors", advice="use corner or corner-coded tiles"
+            )
         colors = tiles.colors[0] + tiles.colors[1]
         if method == "centered-diamonds":
             return lambda search, rng: lay_diamonds_with_centers(search, tiles, rng), colors + len(tiles)
@@ -234,7 +240,12 @@ def _tile_size(given: int | str, regularity: Regularity) -> int:
         return suited_tile_size(regularity)
     size = check_int("tile_size", given, SMALLEST_TILE, LARGEST_TILE)
     if size % 2:
-        raise TilewrightValueError(f"tile_size is {size}; it must be even, for example {size + 1}")
+        raise TilewrightValueError(
+            f"is {size}; it must be even, for example {size + 1}",
+            argument="tile_size",
+            value=size,
+            allowed=f"even, for example {size + 1}",
+        )
     return size
 
 

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.checks import shape_error
 from tilewright.errors import TilewrightValueError
 from tilewright.signals.textures.kinds import guess_kind
 from tilewright.tiles import TileSet
@@ -46,15 +47,16 @@ class TextureTiles:
 
     def __post_init__(self) -> None:
         if not self.maps:
-            raise TilewrightValueError("maps is empty; a material needs at least one map")
+            raise TilewrightValueError("is empty; a material needs at least one map", argument="maps")
         object.__setattr__(
             self, "kinds", {name: self.kinds.get(name) or guess_kind(name) for name in self.maps}
         )
         for name, pixels in self.maps.items():
             if pixels.ndim != 4 or pixels.shape[:3] != self.origins.shape[:3]:
-                raise TilewrightValueError(
-                    f"map {name!r} has shape {pixels.shape}; expected "
-                    f"(tiles, height, width, channels) with the first three {self.origins.shape[:3]}"
+                raise shape_error(
+                    f"map {name!r}",
+                    pixels.shape,
+                    f"(tiles, height, width, channels) with the first three {self.origins.shape[:3]}",
                 )
         if len(self.tiles) != self.origins.shape[0]:
             raise TilewrightValueError(

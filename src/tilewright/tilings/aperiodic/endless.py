@@ -64,9 +64,11 @@ def aperiodic_tiling(tiles: TileSet, seed: int = 0) -> Tiling:
     make = next((m for group in (_wang, _named, _translations) if (m := group().get(wanted))), None)
     if make is None:
         raise TilewrightValueError(
-            f"no endless tiling is known for the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; "
-            "direct() tiles the plane with complete and compact sets, filled_tiling() a rectangle with any "
-            "that can"
+            f"no endless tiling is known for the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles",
+            advice=(
+                "direct() tiles the plane with complete and compact sets, filled_tiling() a "
+                "rectangle with any that can"
+            ),
         )
     return make(tiles, seed)
 

@@ -7,8 +7,8 @@ plane becomes another, and any window of it is as near as before.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_choice
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_choice, check_type
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles import TileSet, as_wang_tiles
 from tilewright.tiles.translations import CONSTRUCTIONS, as_corner_tiles
 from tilewright.tilings.algorithms import Slots, corner_slots
@@ -134,14 +134,13 @@ def translated_tiling(tiling: Tiling, construction: str) -> Tiling:
     TilewrightValueError
         The construction fails for the set, or the tiling is of a rectangle.
     """
-    if not isinstance(tiling, Tiling):
-        raise TilewrightTypeError(f"tiling must be a Tiling, not {type(tiling).__name__}")
+    check_type("tiling", tiling, Tiling, "a Tiling")
     check_choice("construction", construction, (*CONSTRUCTIONS, "wang"))
     if construction == "wang":
         return _WangTiling(tiling)
     tiles = as_corner_tiles(tiling.tiles, construction)
     if tiling.domain.kind == "rectangle":
         raise TilewrightValueError(
-            "tiling is of a rectangle; a translated tiling needs one of the whole plane"
+            "is of a rectangle; a translated tiling needs one of the whole plane", argument="tiling"
         )
     return TranslatedTiling(tiles, tiling, construction)

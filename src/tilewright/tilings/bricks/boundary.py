@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers
+from tilewright.checks import as_integers, range_error
 from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.tiles import TileSet
@@ -55,7 +55,8 @@ class BrickRegion:
         """The wall as a tiling, if the region is a whole rectangle."""
         if (self.cells < 0).any():
             raise TilewrightValueError(
-                "the region is not a whole rectangle, which a tiling must be; use its cells and edges"
+                "the region is not a whole rectangle, which a tiling must be",
+                advice="use its cells and edges",
             )
         return ArrayTiling(self.tiles, self.cells)
 
@@ -112,9 +113,18 @@ def brick_region(
     rng = np.random.default_rng(check_seed(seed))
     inside = as_cells("mask", mask, "0 outside and 1 inside the region")
     if not inside.any():
-        raise TilewrightValueError("mask has no cells; expected at least one that is True")
+        raise TilewrightValueError(
+            "has no cells; expected at least one that is True",
+            argument="mask",
+            allowed="at least one that is True",
+        )
     if inside.size > _MOST_CELLS:
-        raise TilewrightValueError(f"mask has {inside.size} cells; allowed are up to 2^31 - 1")
+        raise TilewrightValueError(
+            f"has {inside.size} cells; allowed are up to 2^31 - 1",
+            argument="mask",
+            value=inside.size,
+            allowed="up to 2^31 - 1",
+        )
     h, w = inside.shape
     across = _as_positions("horizontal", horizontal, (h + 1, w), n)
     upright = _as_positions("vertical", vertical, (h, w + 1), n)
@@ -129,11 +139,11 @@ def _as_positions(name: str, given: ArrayLike | None, shape: tuple[int, int], n:
         return np.full(shape, -1, np.int8)
     edges = as_integers(name, given)
     if edges.shape != shape:
-        raise TilewrightValueError(f"{name} has shape {edges.shape}; this mask needs {shape}")
-    if edges.min() < -1 or edges.max() >= n:
         raise TilewrightValueError(
-            f"{name} holds {edges.min()} to {edges.max()}; allowed are 0 to {n - 1}, and -1 for free edges"
+            f"has shape {edges.shape}; this mask needs {shape}", argument=name, value=edges.shape
         )
+    if edges.min() < -1 or edges.max() >= n:
+        raise range_error(name, edges, f"0 to {n - 1}, and -1 for free edges")
     return edges.astype(np.int8)
 
 

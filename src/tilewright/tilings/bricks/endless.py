@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_int, type_error
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles.bricks import brick_tiles
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import MixerHash
@@ -135,10 +135,13 @@ def endless_brick_tiling(
 def check_longest(given: Any, low: int, high: int) -> tuple[int, int]:
     """The longest runs of tiles along rows and along columns."""
     if not isinstance(given, (tuple, list)):
-        raise TilewrightTypeError(
-            f"longest must be two numbers of tiles, along rows and along columns, not {given!r}"
-        )
+        raise type_error("longest", given, "two numbers of tiles, along rows and along columns")
     if len(given) != 2:
-        raise TilewrightValueError(f"longest has {len(given)} entries; expected 2, along rows and columns")
+        raise TilewrightValueError(
+            f"has {len(given)} entries; expected 2, along rows and columns",
+            argument="longest",
+            value=len(given),
+            allowed="2, along rows and columns",
+        )
     along, down = (check_int("longest", length, low, high) for length in given)
     return along, down

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers
+from tilewright.checks import as_array, as_integers, range_error, shape_error
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.bricks import brick_tiles, number_bricks
 from tilewright.tilings.hashes import MixerHash
@@ -71,16 +71,13 @@ def brick_tiling(
 
 def as_cells(name: str, given: ArrayLike, meaning: str) -> NDArray[np.bool_]:
     """A rectangle of cells, each 0 or 1."""
-    try:
-        cells = np.asarray(given)
-    except ValueError:
-        raise TilewrightValueError(f"{name} is not a table of equally long rows") from None
+    cells = as_array(name, given)
     if cells.dtype != bool:
         cells = as_integers(name, given)
     if cells.ndim != 2 or not cells.size:
-        raise TilewrightValueError(f"{name} has shape {cells.shape}; expected (height, width), not empty")
+        raise shape_error(name, cells.shape, "(height, width), not empty")
     if cells.min() < 0 or cells.max() > 1:
-        raise TilewrightValueError(f"{name} holds {cells.min()} to {cells.max()}; allowed are {meaning}")
+        raise range_error(name, cells, meaning)
     return cells.astype(bool)
 
 
@@ -131,6 +128,7 @@ def _check_counts(counts: NDArray[np.int64], n: int, axis: int) -> None:
             "a torus needs none of them or several"
         )
     raise TilewrightValueError(
-        f"{where} {line} of classes has {counts[line]} {tile} tiles; around a torus 2 positions need an even "
-        f"number of them in every {where}; take 3 positions or more"
+        f"{where} {line} of classes has {counts[line]} {tile} tiles; around a torus 2 positions need an "
+        f"even number of them in every {where}",
+        advice="take 3 positions or more",
     )

@@ -102,7 +102,8 @@ def closest_dapple(
     if cells.size <= WHOLE or wanted:
         if cells.size > WHOLE:
             raise TilewrightValueError(
-                f"totals were given for {cells.size} cells; they are for tilings of up to {WHOLE} cells"
+                f"were given for {cells.size} cells; they are for tilings of up to {WHOLE} cells",
+                argument="totals",
             )
         problem = _Program(cells, ~kept, conditions, cyclic=cyclic, totals=wanted)
         tiling, bound = problem.solve(cells, end)
@@ -198,7 +199,7 @@ class _Program:
         if result.status == 2:
             raise Impossible("no tiling meets the conditions; this is proven")
         if result.x is None:
-            raise Undecided("no tiling was found in the time given; allow more seconds")
+            raise Undecided("no tiling was found in the time given", advice="allow more seconds")
         values = np.rint(result.x).astype(np.int64)
         tiling = self.tiling.copy()
         tiling[self.open] = values if self.tiles == 2 else values.reshape(-1, self.tiles).argmax(axis=1)

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import brief, check_int, check_progress
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_int, check_progress, shape_error, type_error
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.tilings.clauses import Clauses
 from tilewright.tilings.dappled.conditions import (
@@ -181,7 +181,7 @@ def dapple_formula(
     """
     conditions = Conditions(limits, tiles)
     if not isinstance(shape, (tuple, list)) or len(shape) != 2:
-        raise TilewrightTypeError(f"shape must be (height, width), not {brief(shape)}")
+        raise type_error("shape", shape, "(height, width)")
     shape = (check_int("height", shape[0], 1, 65536), check_int("width", shape[1], 1, 65536))
     if shape[0] * shape[1] * conditions.tiles > _MOST_WRITTEN:
         raise TilewrightValueError(
@@ -193,7 +193,7 @@ def dapple_formula(
     if partial is not None:
         pins = as_cells("partial", partial, conditions.tiles, free=True)
         if pins.shape != shape:
-            raise TilewrightValueError(f"partial has shape {pins.shape}; expected {shape}")
+            raise shape_error("partial", pins.shape, shape)
         made.clauses.add(made.variables[(pins >= 0).ravel(), pins[pins >= 0]][:, None])
     return made.clauses
 

@@ -9,8 +9,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, check_int
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import (
+    as_array,
+    as_integers,
+    check_int,
+    check_type,
+    range_error,
+    shape_error,
+    type_error,
+)
+from tilewright.errors import TilewrightValueError
 
 Cells = NDArray[np.uint8]
 Integers = NDArray[np.int64]
@@ -67,16 +75,15 @@ class Conditions:
         if isinstance(limits, Conditions):
             self.limits = limits.limits
             tiles = limits.tiles if tiles is None else tiles
-        elif isinstance(limits, Mapping):
-            self.limits = tuple(_parse(name, most) for name, most in limits.items())
         else:
-            raise TilewrightTypeError(
-                f"limits must be a mapping such as {{'H0': 2, 'V1': 2}}, not {type(limits).__name__}"
-            )
+            check_type("limits", limits, Mapping, "a mapping such as {'H0': 2, 'V1': 2}")
+            self.limits = tuple(_parse(name, most) for name, most in limits.items())
         named = max((t for limit in self.limits for t in limit.tiles), default=0)
         self.tiles = max(named + 1, 2) if tiles is None else check_int("tiles", tiles, 2, _MOST_TILES)
         if named >= self.tiles:
-            raise TilewrightValueError(f"limits name tile {named}; there are tiles 0 to {self.tiles - 1}")
+            raise TilewrightValueError(
+                f"name tile {named}; there are tiles 0 to {self.tiles - 1}", argument="limits"
+            )
 
     def __repr__(self) -> str:
         written = ", ".join(f"{limit}: {_brief(limit.most)}" for limit in self.limits)
@@ -118,7 +125,9 @@ def _parse(name: Any, most: Any) -> Limit:
     found = re.fullmatch(r"([HV])(\d{1,3}(?:\+\d{1,3})*)", name) if isinstance(name, str) else None
     if not found:
         raise TilewrightValueError(
-            f"limits name {name!r}; expected H or V and tiles, such as 'H0', 'V1' or 'H0+2'"
+            f"name {name!r}; expected H or V and tiles, such as 'H0', 'V1' or 'H0+2'",
+            argument="limits",
+            allowed="H or V and tiles, such as 'H0', 'V1' or 'H0+2'",
         )
     tiles = tuple(sorted({check_int(name, int(t), 0, _MOST_TILES - 1) for t in found[2].split("+")}))
     if not callable(most):
@@ -128,20 +137,23 @@ def _parse(name: Any, most: Any) -> Limit:
 
 def _as_most(name: str, given: Any, shape: tuple[int, int] | None) -> NDArray[np.int32]:
     """Longest runs as int32, (1, 1) or ``shape``; where ``shape`` is None, whatever two axes there are."""
-    try:
-        most = np.asarray(given)
-    except ValueError:
-        raise TilewrightValueError(f"the limit of {name} is not a table of equally long rows") from None
+    what = f"the limit of {name}"
+    most = as_array(what, given)
     if most.dtype.kind not in "iuf":
-        raise TilewrightTypeError(f"the limit of {name} must be an integer or inf, not {given!r}")
+        raise type_error(what, given, "an integer or inf")
     if most.size == 0 or np.isnan(most).any() or (most < 0).any() or (most[most < inf] % 1 != 0).any():
-        raise TilewrightValueError(f"the limit of {name} is {_brief(most)}; allowed are 0, 1, 2, ... and inf")
+        raise TilewrightValueError(
+            f"is {_brief(most)}; allowed are 0, 1, 2, ... and inf",
+            argument=what,
+            value=most,
+            allowed="0, 1, 2, ... and inf",
+        )
     most = np.minimum(most, NEVER).astype(np.int32)
     if most.ndim == 0:
         return most.reshape(1, 1)
     if most.ndim != 2 or (shape is not None and most.shape not in ((1, 1), tuple(shape))):
         expected = "(height, width)" if shape is None else str(tuple(shape))
-        raise TilewrightValueError(f"the limit of {name} has shape {most.shape}; expected {expected}")
+        raise shape_error(what, most.shape, expected)
     return most
 
 
@@ -156,9 +168,7 @@ def _brief(most: Any) -> str:
 
 def as_mapping(name: str, given: Any) -> Mapping[Any, Any]:
     """A mapping, or an empty one for None."""
-    if given is not None and not isinstance(given, Mapping):
-        raise TilewrightTypeError(f"{name} must be a mapping such as {{0: 12}}, not {type(given).__name__}")
-    return given or {}
+    return check_type(name, {} if given is None else given, Mapping, "a mapping such as {0: 12}")
 
 
 def as_cells(name: str, given: ArrayLike, tiles: int, *, free: bool = False) -> NDArray[Any]:
@@ -166,14 +176,10 @@ def as_cells(name: str, given: ArrayLike, tiles: int, *, free: bool = False) -> 
     truths = isinstance(given, np.ndarray) and given.dtype == bool
     cells = as_integers(name, given.astype(np.uint8) if truths else given)  # type: ignore[union-attr]
     if cells.ndim != 2 or cells.size == 0 or max(cells.shape) > _MOST_SIDE:
-        raise TilewrightValueError(
-            f"{name} has shape {cells.shape}; expected (height, width), sides 1 to {_MOST_SIDE}"
-        )
+        raise shape_error(name, cells.shape, f"(height, width), sides 1 to {_MOST_SIDE}")
     low = -1 if free else 0
     if cells.min() < low or cells.max() >= tiles:
-        raise TilewrightValueError(
-            f"{name} holds {cells.min()} to {cells.max()}; allowed are {low} to {tiles - 1}"
-        )
+        raise range_error(name, cells, f"{low} to {tiles - 1}")
     return cells.astype(np.int16 if free else np.uint8)
 
 

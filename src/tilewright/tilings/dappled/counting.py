@@ -75,7 +75,8 @@ def count_dappled(
     for y in range(height):
         if len(states) * width * conditions.tiles * (height - y) > _MOST_STEPS:
             raise TilewrightValueError(
-                f"counting on from row {y} of {height} takes {len(states):,} states; ask for fewer cells"
+                f"counting on from row {y} of {height} takes {len(states):,} states",
+                advice="ask for fewer cells",
             )
         states = transfer.row(states, width)
         if progress is not None:
@@ -147,8 +148,8 @@ class _Transfer:
                         after[(*columns[:x], down, *columns[x + 1 :]), counts, along] += number
             if len(after) > _MOST_STATES:
                 raise TilewrightValueError(
-                    f"counting takes more than {_MOST_STATES} states for rows of {width} cells; "
-                    "ask for fewer cells along the shorter side"
+                    f"counting takes more than {_MOST_STATES} states for rows of {width} cells",
+                    advice="ask for fewer cells along the shorter side",
                 )
             partial = after
         done: Counter[tuple] = Counter()

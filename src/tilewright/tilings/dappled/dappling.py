@@ -5,7 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.checks import as_array, shape_error
+from tilewright.errors import TilewrightTypeError
 from tilewright.seeds import check_seed
 from tilewright.tilings.dappled.completing import mend
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
@@ -67,12 +68,11 @@ def as_fixed(fixed: ArrayLike | None, cells: Cells) -> NDArray[np.bool_]:
     """Cells that must stay, as a mask."""
     if fixed is None:
         return np.zeros(cells.shape, bool)
-    try:
-        kept = np.asarray(fixed)
-    except ValueError:
-        raise TilewrightValueError("fixed is not a table of equally long rows") from None
+    kept = as_array("fixed", fixed)
     if kept.dtype != bool:
-        raise TilewrightTypeError(f"fixed must hold bools, not {kept.dtype}")
+        raise TilewrightTypeError(
+            f"must hold bools, not {kept.dtype}", argument="fixed", value=kept.dtype, allowed="bools"
+        )
     if kept.shape != cells.shape:
-        raise TilewrightValueError(f"fixed has shape {kept.shape}; expected {cells.shape}")
+        raise shape_error("fixed", kept.shape, cells.shape)
     return kept

@@ -74,7 +74,9 @@ class EndlessDappledTiling:
         try:
             given = np.broadcast_to(found, shape)
         except ValueError:
-            raise TilewrightValueError(f"start gave shape {found.shape}; expected {shape}") from None
+            raise TilewrightValueError(
+                f"gave shape {found.shape}; expected {shape}", argument="start", allowed=f"{shape}"
+            ) from None
         return as_cells("start", given, 2).astype(np.uint8)
 
 
@@ -106,13 +108,16 @@ def endless_dappled_tiling(
     given = [limit.most for limit in conditions.limits]
     if conditions.tiles != 2 or not conditions.is_single or any(callable(m) or m.size > 1 for m in given):
         raise TilewrightValueError(
-            "limits must be constant and of single tiles, of two, for an endless tiling"
+            "must be constant and of single tiles, of two, for an endless tiling",
+            argument="limits",
+            allowed="constant and of single tiles, of two, for an endless tiling",
         )
     least = min((int(most.min()) for most in given), default=NEVER)
     if least < 2 or (least == 2 and not is_remark(conditions.limits, 2, (1, 1))):
         raise TilewrightValueError(
-            f"limits go down to {least}; an endless tiling needs limits from 3 on, or from 2 on for just one "
-            "horizontal limit of one tile and one vertical limit of the other"
+            f"go down to {least}; an endless tiling needs limits from 3 on, or from 2 on for just one "
+            "horizontal limit of one tile and one vertical limit of the other",
+            argument="limits",
         )
     if not callable(start):
         check_real("start", start, 0, 1)

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tilewright.checks import check_int, check_real
+from tilewright.checks import check_int, check_real, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.hashes import MixerHash
@@ -35,11 +35,14 @@ def random_start(width: int, height: int, shares: Sequence[float] = (0.5, 0.5), 
     check_int("width", width, 1, _MOST_SIDE)
     check_int("height", height, 1, _MOST_SIDE)
     if isinstance(shares, str) or not hasattr(shares, "__iter__"):
-        raise TilewrightTypeError(f"shares must be numbers such as (0.5, 0.5), not {shares!r}")
+        raise type_error("shares", shares, "numbers such as (0.5, 0.5)")
     weights = np.array([check_real("a share", share, 0, 1e9) for share in shares])
     if len(weights) < 2 or weights.sum() <= 0:
         raise TilewrightValueError(
-            f"shares is {tuple(shares)}; expected a number for each tile, at least two"
+            f"is {tuple(shares)}; expected a number for each tile, at least two",
+            argument="shares",
+            value=shares,
+            allowed="a number for each tile, at least two",
         )
     most = np.cumsum(weights) / weights.sum() * 2.0**32
     out = np.empty((height, width), np.uint8)
@@ -100,7 +103,11 @@ def start_from_image(
 def _squeeze(brightness: np.ndarray, conditions: Conditions) -> np.ndarray:
     """Tones between the darkest and the lightest mixture of tiles that the limits allow."""
     if not conditions.is_single or any(callable(x.most) or x.most.size > 1 for x in conditions.limits):
-        raise TilewrightValueError("limits must be constant and of single tiles, to dither by them")
+        raise TilewrightValueError(
+            "must be constant and of single tiles, to dither by them",
+            argument="limits",
+            allowed="constant and of single tiles, to dither by them",
+        )
     longest = np.minimum(*(conditions.table(axis, (1, 1))[:, 0, 0] for axis in (0, 1)))
     # At least so much of a line is of other tiles, the next one at best.
     others = 1 / (longest + 1.0) / (conditions.tiles - 1)
@@ -113,15 +120,18 @@ def _gray(pixels: ArrayLike) -> np.ndarray:
     try:
         given = np.asarray(pixels)
     except ValueError:
-        raise TilewrightValueError("pixels are not equally long rows") from None
+        raise TilewrightValueError("are not equally long rows", argument="pixels") from None
     if given.dtype.kind not in "uif" or given.ndim not in (2, 3) or given.size == 0:
         raise TilewrightTypeError(
-            f"pixels must be numbers (h, w) or (h, w, channels), not {given.dtype} {given.shape}"
+            f"must be numbers (h, w) or (h, w, channels), not {given.dtype} {given.shape}",
+            argument="pixels",
+            value=given.dtype,
+            allowed="numbers (h, w) or (h, w, channels)",
         )
     scale = 1.0 if given.dtype.kind == "f" else 1.0 / np.iinfo(given.dtype).max
     values = given.astype(np.float64) * scale
     if not np.isfinite(values).all():
-        raise TilewrightValueError("pixels holds NaN or infinity")
+        raise TilewrightValueError("holds NaN or infinity", argument="pixels")
     if values.ndim == 3:
         colors = values[..., :3] if values.shape[2] >= 3 else values[..., :1]
         values = colors @ (np.array([0.2126, 0.7152, 0.0722]) if colors.shape[2] == 3 else np.ones(1))

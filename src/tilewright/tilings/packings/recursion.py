@@ -10,8 +10,8 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int, check_progress, check_real
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_int, check_progress, check_real, check_type
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.tiles import CORNER, WANG, TileSet, corner_tiles
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.clauses import Undecided
@@ -110,12 +110,12 @@ def extend_packing(
     TilewrightValueError
         Not a packing of corner tiles.
     """
-    if not isinstance(smaller, Tiling):
-        raise TilewrightTypeError(f"smaller must be a packing, not {type(smaller).__name__}")
+    check_type("smaller", smaller, Tiling, "a packing")
     if smaller.tiles.shape is not CORNER:
         raise TilewrightValueError(
-            f"smaller is of {smaller.tiles.shape.name} tiles; corner tiles are extended. For Wang tiles use "
-            "recursive_packing()"
+            f"is of {smaller.tiles.shape.name} tiles; corner tiles are extended. For Wang tiles use "
+            "recursive_packing()",
+            argument="smaller",
         )
     check_progress(progress)
     if seconds is not None:

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int, check_progress
-from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_int, check_progress, check_type
+from tilewright.errors import Progress, TilewrightValueError
 from tilewright.tiles import CORNER, WANG, TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.tiling import ArrayTiling, Tiling
@@ -177,10 +177,7 @@ class PackingSearch:
         }
 
     def _resume(self, checkpoint: Mapping[str, Any]) -> None:
-        if not isinstance(checkpoint, Mapping):
-            raise TilewrightTypeError(
-                f"checkpoint must be what checkpoint() gave, not {type(checkpoint).__name__}"
-            )
+        check_type("checkpoint", checkpoint, Mapping, "what checkpoint() gave")
         order, state = self._order(), self._state()
         try:
             given = {name: np.asarray(checkpoint[name]) for name in checkpoint}
@@ -191,7 +188,9 @@ class PackingSearch:
         )
         if not same or any(given[n].shape != a.shape or given[n].dtype != a.dtype for n, a in state.items()):
             raise TilewrightValueError(
-                "checkpoint is of another search; resume it with the tiles, seed and nest it was made with"
+                "is of another search",
+                argument="checkpoint",
+                advice="resume it with the tiles, seed and nest it was made with",
             )
         for name, array in state.items():
             array[...] = given[name]
@@ -270,7 +269,7 @@ def random_packing(
             if progress is not None:
                 progress(int(search.explored * 1e9), 10**9, "searching for a packing")
         if search.is_over:
-            raise TilewrightValueError("nest is in the corner of no packing over one color more")
+            raise TilewrightValueError("is in the corner of no packing over one color more", argument="nest")
 
 
 def hold_every_tile(tiles: TileSet, cells: NDArray[Any]) -> NDArray[np.bool_]:
@@ -281,8 +280,7 @@ def hold_every_tile(tiles: TileSet, cells: NDArray[Any]) -> NDArray[np.bool_]:
 
 def nest_slots(nest: Tiling, tiles: TileSet, name: str = "nest") -> NDArray[np.uint8]:
     """Colors of the cells of a packing that is to lie in one of ``tiles``, shape (height, width, 4)."""
-    if not isinstance(nest, Tiling):
-        raise TilewrightTypeError(f"{name} must be a packing, not {type(nest).__name__}")
+    check_type(name, nest, Tiling, "a packing")
     small = nest.tiles
     fits = small.shape is tiles.shape and small.colors == tuple(c - 1 for c in tiles.colors)
     if fits and small.is_complete and nest.domain.periods == torus_size(small):
@@ -290,8 +288,10 @@ def nest_slots(nest: Tiling, tiles: TileSet, name: str = "nest") -> NDArray[np.u
         if hold_every_tile(small, cells[None]).all():
             return small.slots_of(cells)
     raise TilewrightValueError(
-        f"{name} must be a packing of {tiles.shape.name} tiles over {tuple(c - 1 for c in tiles.colors)} "
-        "colors, one less than the tiles it is to lie in have; packing() makes such"
+        f"must be a packing of {tiles.shape.name} tiles over {tuple(c - 1 for c in tiles.colors)} "
+        "colors, one less than the tiles it is to lie in have",
+        argument=name,
+        advice="packing() makes such",
     )
 
 

@@ -32,7 +32,9 @@ def classify_packings(tiles: TileSet, packings: ArrayLike) -> tuple[Cells, NDArr
     width, height = torus_size(check_kind(tiles))
     if cells.shape[1:] != (height, width) or not hold_every_tile(tiles, cells).all():
         raise TilewrightValueError(
-            f"packings must have shape (packings, {height}, {width}) and hold each of {len(tiles)} tiles once"
+            f"must have shape (packings, {height}, {width}) and hold each of {len(tiles)} tiles once",
+            argument="packings",
+            allowed=f"shape (packings, {height}, {width}) and hold each of {len(tiles)} tiles once",
         )
     first = np.full(cells.shape, len(tiles), np.int64)
     for image in _images(tiles, cells):
