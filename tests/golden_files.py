@@ -10,7 +10,7 @@ import numpy as np
 
 import tilewright as tw
 from golden_points import tiles_of
-from golden_textures import make, material, photo, stack, surface
+from golden_textures import material, photo, stack, surface
 
 TARGETS = (
     *("threejs", "godot", "unity", "unreal", "blender", "glsl", "hlsl", "wgsl", "osl", "ktx2", "atlas"),

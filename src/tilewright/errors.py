@@ -58,10 +58,6 @@ class TilewrightError(Exception):
             state["value"] = brief(self.value)
         return type(self), (str(self),), state
 
-    def told(self, name_of: Callable[[str], str] = str) -> str:
-        """The message, with arguments called as ``name_of`` says."""
-        return str(self)
-
 
 class TilewrightValueError(TilewrightError, ValueError):
     """An argument of the right type has a value that cannot be used."""

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice, check_int
-from tilewright.errors import Progress, TilewrightFileError, TilewrightValueError
+from tilewright.errors import Progress, TilewrightFileError
 from tilewright.jobs.job import Clash, Done, Job, Rule, useless
 from tilewright.jobs.saving import save_array
 from tilewright.seeds import check_seed
@@ -106,7 +106,7 @@ class BricksJob(Job):
         wall, (width, height) = self._lay()
         self._check_inside(wall, width * height)
         if self.kind == ".npy":
-            save_array(self.output, _indices(self.output, wall, (self.x, self.y, width, height)))
+            save_array(self.output, _indices(wall, (self.x, self.y, width, height)))
         else:
             size = None if isinstance(wall, BondBricks) else self.size
             field = BrickField(wall, style, size=size, seed=self.seed)
@@ -221,11 +221,11 @@ def _read_boundary(path: Path) -> "dict[str, NDArray[Any]]":
     what = "two arrays, horizontal (h + 1, w) and vertical (h, w + 1), as a .npz file does"
     found = read_arrays(path, ("horizontal", "vertical"), what)
     if any(array.ndim != 2 for array in found.values()):
-        raise TilewrightFileError(f"{path} does not hold {what}")
+        raise TilewrightFileError(f"{path} does not hold {what}", value=path)
     return found
 
 
-def _indices(output: Path, wall: "Wall", window: tuple[int, int, int, int]) -> "NDArray[Any]":
+def _indices(wall: "Wall", window: tuple[int, int, int, int]) -> "NDArray[Any]":
     """Tile indices, shape (height, width); -1 outside a region."""
     from tilewright.tilings import Tiling
     from tilewright.tilings.bricks import BrickRegion
@@ -234,4 +234,4 @@ def _indices(output: Path, wall: "Wall", window: tuple[int, int, int, int]) -> "
         return wall.cells
     if isinstance(wall, Tiling):
         return wall.indices(*window)
-    raise TilewrightValueError(f"{output}: .npy holds tiles, and bonds have none; take pattern wang")
+    raise Clash(".npy holds tiles, and bonds have none; take {pattern} wang")

@@ -139,7 +139,9 @@ class DappleJob(Job):
 
         shares = len(self.share) if self.share else None
         if self.tiles is not None and shares not in (None, self.tiles):
-            raise TilewrightValueError(f"share was given {shares} times; there are {self.tiles} tiles")
+            raise TilewrightValueError(
+                f"was given {shares} times; there are {self.tiles} tiles", argument="share", value=self.share
+            )
         return Conditions(self.limit or {"H0": 2, "V1": 2}, shares if self.tiles is None else self.tiles)
 
     def _make(self, conditions: "Conditions", progress: Progress | None) -> "tuple[Cells, dict[str, Any]]":
@@ -204,7 +206,11 @@ class DappleJob(Job):
 
         shares = [check_real("share", given, 0, 1e9) for given in self._shares(conditions)]
         if len(shares) != 2 or sum(shares) <= 0:
-            raise TilewrightValueError(f"share is {shares}; an endless tiling has two, from 0 on, not both 0")
+            raise TilewrightValueError(
+                f"is {shares}; an endless tiling has two, from 0 on, not both 0",
+                argument="share",
+                value=shares,
+            )
         tiling = endless_dappled_tiling(conditions, start=shares[1] / sum(shares), seed=self.seed)
         x, y = _or(self.x, 0), _or(self.y, 0)
         cells = tiling.cells(x, y, *_checked(_or(self.width, 64), _or(self.height, 40)))
@@ -279,7 +285,7 @@ def _read_pins(path: Path) -> "Cells":
     what = f"tiles, -1 where any may be, shape (height, width), up to {_MOST_CELLS:,} cells"
     pins = read_table(path, what)
     if pins.ndim != 2 or not 0 < pins.size <= _MOST_CELLS or pins.dtype.kind not in "iu":
-        raise TilewrightFileError(f"{path} does not hold {what}")
+        raise TilewrightFileError(f"{path} does not hold {what}", value=path)
     return pins
 
 

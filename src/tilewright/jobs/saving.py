@@ -15,9 +15,11 @@ def check_suffix(path: Path, allowed: Sequence[str]) -> str:
     """The suffix of ``path`` in lower case, if it is one of those allowed."""
     suffix = path.suffix.lower()
     if suffix not in allowed:
+        names = ", ".join(allowed)
         raise TilewrightValueError(
-            f"output is {path}, which ends in {suffix or 'nothing'!r}; allowed are {', '.join(allowed)}"
-        )
+            f"is {path}, which ends in {suffix or 'nothing'!r}; allowed are {names}",
+            argument="output", value=path, allowed=names,
+        )  # fmt: skip
     return suffix
 
 

@@ -171,7 +171,9 @@ class TextureJob(Job):
 
         kind, colors = check_choice("tiles", self.tiles, _KINDS), self.colors
         if colors is not None and kind not in ("corner", "wang"):
-            raise TilewrightValueError(f"colors is for corner and wang tiles; {kind} has its own")
+            raise TilewrightValueError(
+                f"is for corner and wang tiles; {kind} has its own", argument="colors", value=colors
+            )
         if kind == "wang":
             return wang_tiles(2 if colors is None else colors)
         if kind == "corner":
