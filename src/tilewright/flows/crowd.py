@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
-from tilewright.flows.tiles import STREAM, WAYS, FlowTile
+from tilewright.flows.tiles import WAYS, FlowTile
 from tilewright.seeds import derive_key, make_key
+from tilewright.tilings.streams import FLOWS
 
 MOST_PARTICLES = 2**24
 _MOST_PLACES = 2**27
@@ -58,7 +59,7 @@ class Crowd:
         from tilewright.kernels.flow import count_threads
 
         key = make_key(seed)
-        self._key, self._birth_key = derive_key(key, STREAM, 0), derive_key(key, STREAM, 1)
+        self._key, self._birth_key = derive_key(key, FLOWS, 0), derive_key(key, FLOWS, 1)
         options, choices = _ways_on(tiles, turns_back)
         speeds = np.array([tile.speed for tile in tiles], np.float64)
         deaths = np.array([round(tile.kills * 2**32) for tile in tiles], np.uint64)

@@ -10,8 +10,8 @@ from tilewright.checks import as_cells, check_choice, check_int, check_real, typ
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, brief
 from tilewright.seeds import derive_key, make_key
 from tilewright.tilings.hashes import MixerHash
+from tilewright.tilings.streams import FLOWS
 
-STREAM = 16
 WAYS = {"-": (1, 3), "|": (0, 2), "+": (0, 1, 2, 3)}
 """North, east, south, west as 0 to 3."""
 _FASTEST, _SLOWEST = 8.0, 0.001
@@ -122,8 +122,8 @@ def strew_tiles(
         speeds = [min(max(tile.speed * factor, _SLOWEST), _FASTEST) for tile in plain]
         kinds += [replace(tile, speed=speed) for tile, speed in zip(plain, speeds, strict=True)]
     most = np.cumsum(shares[::-1])[::-1] * 2.0**32
-    hash = MixerHash(int(derive_key(make_key(seed), STREAM, 2)))
-    words = hash.words(STREAM, np.arange(given.shape[1]), np.arange(given.shape[0])[:, np.newaxis])
+    hash = MixerHash(int(derive_key(make_key(seed), FLOWS, 2)))
+    words = hash.words(FLOWS, np.arange(given.shape[1]), np.arange(given.shape[0])[:, np.newaxis])
     # Each kind takes the words below its bound and not below the next one's.
     kind = (words[..., np.newaxis] < most).sum(axis=-1)
     return (given + count * kind).astype(np.uint8), tuple(kinds)

@@ -14,8 +14,8 @@ from tilewright.kernels.flips import ODD_CELLS
 from tilewright.kernels.lattice import finish_word, start_row
 
 _EDGES = 13
-"""Stream of the hash, in these layers: steps at cells, colors that rows and columns of blocks begin with,
-and for two positions one bit for each column and each row of points."""
+"""Stream BRICK_EDGES of `tilewright.tilings.streams`, in these layers: steps at cells, colors that rows and
+columns of blocks begin with, and for two positions one bit for each column and each row of points."""
 _STEPS, _ALONG, _DOWN, _COLUMNS, _ROWS = range(5)
 BLOCK = 32
 """Rows of a block of a column."""

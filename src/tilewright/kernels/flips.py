@@ -17,7 +17,7 @@ ODD_CELLS = np.uint64(0xAAAAAAAAAAAAAAAA)
 """Bits at the cells of odd x."""
 _ONE = np.uint64(1)
 _CLASSES = 12
-"""Stream of the hash: layer 0 for the blocks, the others for going over."""
+"""Stream BRICK_CLASSES of `tilewright.tilings.streams`: layer 0 for the blocks, the others for going over."""
 
 
 @kernel()

@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 from tilewright.errors import TilewrightValueError
 from tilewright.tilings import LatticeHash, MixerHash, PermutationHash
 from tilewright.tilings.hashes import MULTIPLIERS
+from tilewright.tilings.streams import COLORS, digits_of
 
 _WORD = 2**32
 _NEAR = 2**30
 """Lattice points from a block's own cell in which all that it sees lies."""
-_STREAM = 0
 
 
 class ShaderHash(Protocol):
@@ -101,7 +101,7 @@ class _Permutation:
 
     def table(self) -> NDArray[np.uint32]:
         """A permutation for each word that makes a color."""
-        streams = [_STREAM + 16 * digit for digit in range(self._digits)]
+        streams = digits_of(COLORS, self._digits)
         return np.concatenate([self._hash.table(stream) for stream in streams]).astype(np.uint32)
 
     def place(self, x: int, y: int) -> tuple[NDArray[np.uint32], tuple[int, int]]:

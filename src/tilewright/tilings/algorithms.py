@@ -15,10 +15,9 @@ from tilewright.tiles import TileSet
 from tilewright.tilings.chains import Chains, Span, closed_walks, meet, open_walks
 from tilewright.tilings.domain import fold
 from tilewright.tilings.hashes import Colors, LatticeHash, as_grid
+from tilewright.tilings.streams import BITS, COLORS, MARKS, SECOND
 
 Slots = tuple[Colors, ...]
-_FIRST, _SECOND, _MARKS, _BITS = 0, 1, 4, 5
-"""Streams of the hash; 2 and 3 belong to chains, 8 and 9 to densities and scanline tilings."""
 
 
 @dataclass(frozen=True)
@@ -54,12 +53,12 @@ class Lattice:
 
 def corners(at: Lattice) -> Colors:
     """Complete corner sets: a hash at the lattice points (Lagae 2007, section 3.3.1, with y mirrored)."""
-    return at.hash.grid(at.tiles.colors[0], _FIRST, *(at.points(a) for a in at.axes))
+    return at.hash.grid(at.tiles.colors[0], COLORS, *(at.points(a) for a in at.axes))
 
 
 def marks(at: Lattice) -> Colors:
     """Corner-coded sets: the marks are hashed apart from the edges."""
-    return at.hash.grid(at.tiles.colors[-1], _MARKS, *(at.points(a) for a in at.axes))
+    return at.hash.grid(at.tiles.colors[-1], MARKS, *(at.points(a) for a in at.axes))
 
 
 def columns(at: Lattice) -> Colors:
@@ -111,7 +110,7 @@ def _face(c: Colors) -> Slots:
 
 def ends(at: Lattice) -> Slots:
     """Dominoes: a hash at the integers; slots E, W."""
-    c = at.hash.grid(at.tiles.colors[0], _FIRST, at.points(0))
+    c = at.hash.grid(at.tiles.colors[0], COLORS, at.points(0))
     return c[1:], c[:-1]
 
 
@@ -123,15 +122,15 @@ def edges(at: Lattice) -> Slots:
     planes = []
     for axis in at.axes:
         grid = (2 * at.points(a) if a == axis else 2 * at.cells(a) + 1 for a in at.axes)
-        planes.append(at.hash.grid(_edge_colors(at.tiles, axis), _FIRST, *grid))
+        planes.append(at.hash.grid(_edge_colors(at.tiles, axis), COLORS, *grid))
     return _edge_slots(planes)
 
 
 def crossings(at: Lattice) -> Slots:
     """`crossed_wang_tiles`: the edges of a complete Wang set, and at every corner those that meet there."""
     c = at.tiles.colors[0]
-    columns = at.hash.grid(c, _FIRST, 2 * at.points(0), 2 * at.points(1, 1) + 1)
-    rows = at.hash.grid(c, _FIRST, 2 * at.points(0, 1) + 1, 2 * at.points(1))
+    columns = at.hash.grid(c, COLORS, 2 * at.points(0), 2 * at.points(1, 1) + 1)
+    rows = at.hash.grid(c, COLORS, 2 * at.points(0, 1) + 1, 2 * at.points(1))
     codes = ((columns[:-1] * c + rows[:, 1:]) * c + columns[1:]) * c + rows[:, :-1]
     n, e, s, w = rows[:-1, 1:-1], columns[1:-1, 1:], rows[1:, 1:-1], columns[1:-1, :-1]
     return (n, e, s, w, *corner_slots(codes))
@@ -140,8 +139,8 @@ def crossings(at: Lattice) -> Slots:
 def two_hashes(at: Lattice) -> Slots:
     """Complete Wang sets from sums of two corner colorings (Lagae 2007, section 3.3.2.1)."""
     c_h, c_v = at.tiles.colors[:2]
-    h = at.hash.grid(c_h, _FIRST, at.points(0), at.points(1))
-    v = at.hash.grid(c_v, _SECOND, at.points(0), at.points(1))
+    h = at.hash.grid(c_h, COLORS, at.points(0), at.points(1))
+    v = at.hash.grid(c_v, SECOND, at.points(0), at.points(1))
     # Sums of two colors may not fit the type of one.
     h, v = h.astype(np.uint32), v.astype(np.uint32)
     return _edge_slots([(v[:-1] + v[1:]) % c_v, (h[:, :-1] + h[:, 1:]) % c_h])
@@ -150,14 +149,14 @@ def two_hashes(at: Lattice) -> Slots:
 def sums(at: Lattice) -> Slots:
     """`summed_wang_tiles` from one corner coloring (Lagae 2007, section 3.3.2.2)."""
     count = at.tiles.colors[0]
-    c = at.hash.grid(count, _FIRST, at.points(0), at.points(1))
+    c = at.hash.grid(count, COLORS, at.points(0), at.points(1))
     return _edge_slots([(c[:-1] + c[1:]) % count, (c[:, :-1] + c[:, 1:]) % count])
 
 
 def bits(at: Lattice) -> Slots:
     """`shifted_wang_tiles` and `compact_wang_cubes`, C = 2^m: a color is the bits of the m tiles before."""
     m = at.tiles.colors[0].bit_length() - 1
-    beta = at.hash.grid(2, _BITS, *(at.cells(a, before=m) for a in at.axes))
+    beta = at.hash.grid(2, BITS, *(at.cells(a, before=m) for a in at.axes))
     planes = []
     for axis in at.axes:
         inside = tuple(slice(0 if a == axis else m, None) for a in reversed(at.axes))

@@ -15,9 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.errors import TilewrightValueError
 from tilewright.tilings.domain import fold
 from tilewright.tilings.hashes import LatticeHash, as_grid
+from tilewright.tilings.streams import ANCHORS, DIGITS
 
 Integers = NDArray[np.int64]
-_ANCHORS, _DIGITS = 2, 3
 _LONGEST = 2**62
 
 
@@ -59,12 +59,12 @@ class Chains:
         self, chain: tuple[ArrayLike, ...], block: ArrayLike, following: ArrayLike, steps: ArrayLike
     ) -> tuple[Integers, Integers]:
         """The color a block starts with, and the number whose digits lead from there to the next anchor."""
-        start = self.hash.colors(self.colors, _ANCHORS, *chain, block).astype(np.int64)
-        end = self.hash.colors(self.colors, _ANCHORS, *chain, following).astype(np.int64)
+        start = self.hash.colors(self.colors, ANCHORS, *chain, block).astype(np.int64)
+        end = self.hash.colors(self.colors, ANCHORS, *chain, following).astype(np.int64)
         whole = self._power(steps)
         rest = (end - whole * start) % self.colors
         choices = (whole - 1 - rest) // self.colors + 1
-        number = (self.hash.numbers(_DIGITS, *chain, block) * choices) >> 24
+        number = (self.hash.numbers(DIGITS, *chain, block) * choices) >> 24
         return start, rest + self.colors * number
 
     def walk(self, start: Integers, number: Integers, step: ArrayLike, steps: ArrayLike) -> NDArray[np.uint8]:

@@ -14,10 +14,9 @@ from tilewright.tilings.algorithms import Lattice, Slots, corner_slots, evaluate
 from tilewright.tilings.direct_tiling import SlotTiling, recognize
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import LatticeHash, as_grid, make_hash
+from tilewright.tilings.streams import COLORS, DENSITY, SECOND
 
 Density = Callable[[NDArray[np.float64], NDArray[np.float64]], ArrayLike]
-_DENSITY = 8
-"""Stream of the hash that is compared with the density."""
 
 
 class DensityTiling(SlotTiling):
@@ -33,11 +32,11 @@ class DensityTiling(SlotTiling):
         """The slots of a window, with corner colors drawn from the marked or the unmarked half."""
         at = Lattice(self.tiles, self.hash, self.domain.periods, start, extent)
         columns, rows = at.points(0), at.points(1)
-        marked = self.hash.numbers(_DENSITY, *as_grid((columns, rows))) < self.marks(columns, rows) * 2.0**24
+        marked = self.hash.numbers(DENSITY, *as_grid((columns, rows))) < self.marks(columns, rows) * 2.0**24
         colors = self.tiles.colors[-1]
         plain = (colors + 1) // 2
-        low = self.hash.grid(plain, 0, columns, rows)
-        high = plain + self.hash.grid(colors - plain, 1, columns, rows)
+        low = self.hash.grid(plain, COLORS, columns, rows)
+        high = plain + self.hash.grid(colors - plain, SECOND, columns, rows)
         corners = corner_slots(np.where(marked, high, low).astype(np.uint8))
         if self.tiles.shape is CORNER:
             return corners

@@ -11,6 +11,7 @@ from tilewright.checks import as_integers, check_int, type_error
 from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.tiles.tileset import MOST_COLORS, slot_type
+from tilewright.tilings.streams import COLORS, digits_of
 
 Coordinates = NDArray[np.int64]
 Colors = NDArray[np.unsignedinteger[Any]]
@@ -62,8 +63,8 @@ class LatticeHash(ABC):
         while self.range**digits < 2**24:
             digits += 1
         total: NDArray[np.int64] = np.zeros((), np.int64)
-        for digit in range(digits):
-            total = total * self.range + self.words(stream + 16 * digit, *point)
+        for digit in digits_of(stream, digits):
+            total = total * self.range + self.words(digit, *point)
         return total * 2**24 // self.range**digits
 
 
@@ -84,7 +85,7 @@ class MixerHash(LatticeHash):
     def range(self) -> int:
         return 2**32
 
-    def start(self, x_high: int, y_high: int, stream: int = 0) -> tuple[int, int]:
+    def start(self, x_high: int, y_high: int, stream: int = COLORS) -> tuple[int, int]:
         """The state (a, b) after everything but the low words of y and x, at z = 0: what shaders start with.
 
         ``x_high`` and ``y_high`` are the high words of the coordinates, modulo 2^32.

@@ -10,13 +10,12 @@ from tilewright.errors import TilewrightValueError
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.hashes import MixerHash
+from tilewright.tilings.streams import DRAWS
 from tilewright.tilings.tiling import ArrayTiling
 
 Integers = NDArray[np.int64]
 _MOST_TILES = 2**20
 _MOST_CELLS = 2**31
-_DRAWS = 9
-"""Stream of the hash that draws tiles."""
 
 
 def scanline(tiles: TileSet, width: int, height: int = 1, seed: int = 0, *, depth: int = 1) -> ArrayTiling:
@@ -92,9 +91,7 @@ class _Rows:
         beside = self._key(known, [self.far[axis][self.cells[at]] for axis, at in before.items()], len(row))
         # Step 2: the first tile is asked for that alone, the others by the tile to the west too.
         first, rest = self._fitting_when(known), self._fitting_when((*known, 0))
-        laid = place_row(
-            beside, self.far[0], self._count(0), *first, *rest, y, z, _DRAWS, self.hash.seed, row
-        )
+        laid = place_row(beside, self.far[0], self._count(0), *first, *rest, y, z, DRAWS, self.hash.seed, row)
         if laid < len(row):
             neighbors = {0: row[laid - 1]} if laid else {}
             neighbors |= {axis: self.cells[at][laid] for axis, at in before.items()}

@@ -20,11 +20,8 @@ from tilewright.signals.bricks.style import BrickStyle, tint_bricks
 from tilewright.tilings import MixerHash, Tiling
 from tilewright.tilings.bricks import BrickRegion
 from tilewright.tilings.hashes import split_row
+from tilewright.tilings.streams import BRICK_CLASSES, BRICK_EDGES, WALL_LAYER
 
-BRICK_STREAM, NOISE_STREAM = 12, 13
-"""Of the lattice hash: what each brick is like; the lattices of noise."""
-_LAYER = 1000
-"""The first layer of both streams that is used here, far from those of tilings."""
 MAPS = ("color", "height", "normal", "roughness", "mortar", "id")
 FILES = {
     **{"color": "color.png", "height": "height.png", "normal": "normal_gl.png", "roughness": "roughness.png"},
@@ -239,8 +236,8 @@ class BrickField:
 
     def _chances(self, found: Bricks) -> NDArray[np.float64]:
         """Numbers of [0, 1) for each brick, shape (CHANCES, n)."""
-        layers = _LAYER + np.arange(CHANCES)[:, np.newaxis]
-        return self.hash.words(BRICK_STREAM, found.ids[:, 0], found.ids[:, 1], layers) / 2.0**32
+        layers = WALL_LAYER + np.arange(CHANCES)[:, np.newaxis]
+        return self.hash.words(BRICK_CLASSES, found.ids[:, 0], found.ids[:, 1], layers) / 2.0**32
 
     def _words(
         self,
@@ -257,7 +254,7 @@ class BrickField:
             for a in (0, 1)
         )
         out = np.empty((len(y), len(x)), np.uint32)
-        fill_lattice_words(*split_row(x), y, _LAYER + octave, NOISE_STREAM, self.hash.seed, out)
+        fill_lattice_words(*split_row(x), y, WALL_LAYER + octave, BRICK_EDGES, self.hash.seed, out)
         return out
 
 

@@ -14,9 +14,8 @@ from tilewright.fields.photos.gaussian import gaussianize
 from tilewright.signals.textures.exemplar import check_map
 from tilewright.signals.textures.kinds import from_values, to_values
 from tilewright.tilings import MixerHash
+from tilewright.tilings.streams import PATCH_COLUMNS, PATCH_ROWS
 
-PATCH_STREAMS = (10, 11)
-"""Of the lattice hash: column and row of the photograph where a vertex's patch lies."""
 LUMINANCE = np.array((0.299, 0.587, 0.114), np.float32)
 CONTRAST, EXPONENT = 0.6, 7
 """How much a patch's brightness and its place count in hex-tiling (Mikkelsen 2022)."""
@@ -162,7 +161,7 @@ class BlendField(PhotoField):
         return np.stack(
             [
                 least + (self.hash.numbers(stream, i, j) * count >> 24)
-                for (least, count), stream in zip(self.range, PATCH_STREAMS, strict=True)
+                for (least, count), stream in zip(self.range, (PATCH_COLUMNS, PATCH_ROWS), strict=True)
             ]
         )
 

@@ -19,12 +19,11 @@ from tilewright.signals.points import PointTiles
 from tilewright.tilings import MixerHash, Tiling
 from tilewright.tilings.direct_tiling import DirectTiling
 from tilewright.tilings.domain import LARGEST_CELL
+from tilewright.tilings.streams import VARIANTS
 
 Density = float | DensityFunction
 """A share 0 to 1 of the points, or a function that gives it at points, shape (n, 2) -> (n,)."""
 
-_VARIANTS = 6
-"""Stream of the hash that picks variants."""
 _BLOCK_POINTS = 2**22
 
 
@@ -283,7 +282,7 @@ class PointField:
         domain = self.tiling.domain
         hash = self.tiling.hash if isinstance(self.tiling, DirectTiling) else MixerHash(0)
         x, y = domain.wrap(0, column, columns), domain.wrap(1, row, rows)
-        picked = hash.numbers(_VARIANTS, x[np.newaxis, :], y[:, np.newaxis]) * variants >> 24
+        picked = hash.numbers(VARIANTS, x[np.newaxis, :], y[:, np.newaxis]) * variants >> 24
         return (indices * variants + picked).astype(np.int32)
 
     def _view(self, window: Window) -> View:

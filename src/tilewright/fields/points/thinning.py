@@ -9,11 +9,9 @@ from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.fields.points.window import PointWindow, View
 from tilewright.signals.points import PointTiles
 from tilewright.tilings import MixerHash
+from tilewright.tilings.streams import LOTS
 
 DensityFunction = Callable[[NDArray[np.float64]], ArrayLike]
-
-_LOTS = 7
-"""Stream of the hash that picks among points of one rank."""
 
 
 def share_out(tiles: PointTiles, view: View, count: int) -> NDArray[np.int32]:
@@ -32,7 +30,7 @@ def share_out(tiles: PointTiles, view: View, count: int) -> NDArray[np.int32]:
     excess = int(quotas.sum(dtype=np.int64)) - count
     # Of the cells that hold a point of the highest rank some give one less, by lot.
     i, j = np.nonzero(np.isin(view.cells, row[tiles.ranks == last]))
-    lots = MixerHash(0).words(_LOTS, view.window.column + j, view.window.row + i)
+    lots = MixerHash(0).words(LOTS, view.window.column + j, view.window.row + i)
     lose = np.argsort(lots, kind="stable")[:excess]
     quotas[i[lose], j[lose]] -= 1
     return quotas
@@ -42,7 +40,7 @@ def draw_lowest(window: PointWindow, count: int) -> NDArray[np.intp]:
     """Which ``count`` points of a window have the lowest ranks, in the window's order."""
     _check_enough(count, len(window.points))
     x, y = window.cells.T
-    lots = MixerHash(0).words(_LOTS, x, y, window.numbers)
+    lots = MixerHash(0).words(LOTS, x, y, window.numbers)
     return np.sort(np.lexsort((lots, window.ranks))[:count])
 
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.signals.textures.kinds import Values
 from tilewright.tiles import TileSet
+from tilewright.tiles.tileset import MOST_COLORS
 
 EQUAL = 2e-6
 """Values as near as this are the same, as a share of the largest: rounding of float32 means."""
@@ -55,7 +56,7 @@ class Shared:
         self.edges: dict[str, Colors] = {}
         for side, ends in _ENDS.items():
             parts = [slots[p] for p in (side, *ends) if p in slots]
-            self.edges[side] = sum((p * 256**k for k, p in enumerate(parts)), np.zeros_like(parts[0]))
+            self.edges[side] = sum((p * MOST_COLORS**k for k, p in enumerate(parts)), np.zeros_like(parts[0]))
         # Numbers from 0 on, the same for both sides that can meet.
         for pair in (("N", "S"), ("W", "E")):
             both = np.concatenate([self.edges[p] for p in pair])

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from tilewright.tiles import TileSet
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import MixerHash
+from tilewright.tilings.streams import ROTATIONS
 from tilewright.tilings.tiling import Tiling
 
 BITS = 256
@@ -22,8 +23,6 @@ TURN = 1 << BITS
 _WORD_BITS = 64
 _COLUMNS = 2**14
 """Cells in a stretch of a row; rounding grows along it, by up to one unit of 2^-64 turns at each."""
-_START = 17
-"""Stream of the hash that draws where a tiling starts."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +63,7 @@ class RotationTiling(Tiling):
 
     def drawn(self, number: int, below: int) -> int:
         """The seed's number so and so, 0 up to ``below``, which is at most 2^384."""
-        words = self._hash.words(_START, np.arange(12), number).tolist()
+        words = self._hash.words(ROTATIONS, np.arange(12), number).tolist()
         return sum(word << (32 * digit) for digit, word in enumerate(words)) * below >> 384
 
     @abstractmethod

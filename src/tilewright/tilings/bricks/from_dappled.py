@@ -7,13 +7,12 @@ from tilewright.checks import as_array, as_integers, range_error, shape_error
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.bricks import brick_tiles, number_bricks
 from tilewright.tilings.hashes import MixerHash
+from tilewright.tilings.streams import BRICK_EDGES
 from tilewright.tilings.tiling import ArrayTiling
 
-_EDGES = 13
-"""Stream of the hash, in layers of their own."""
 _STEPS, _FIRST, _WIDE, _NARROW = 8, (9, 10), (11, 12), (13, 14)
-"""Layers: steps at cells; and for rows and columns each the first colors, and steps before the last around a
-torus, of n - 1 and of n - 2."""
+"""Layers of the stream: steps at cells; and for rows and columns each the first colors, and steps before the
+last around a torus, of n - 1 and of n - 2."""
 
 Integers = NDArray[np.int32]
 
@@ -58,7 +57,7 @@ def brick_tiling(
     vertical_tiles = as_cells("classes", classes, "0 for H tiles and 1 for V tiles")
     x, y = (np.arange(size, dtype=np.int64) for size in reversed(vertical_tiles.shape))
     # A step is added to an edge where it changes; at each tile one does.
-    steps = 1 + hash.grid(n - 1, _EDGES, x, y, np.array([_STEPS]))[0].astype(np.int32)
+    steps = 1 + hash.grid(n - 1, BRICK_EDGES, x, y, np.array([_STEPS]))[0].astype(np.int32)
     rows, columns = np.where(vertical_tiles, steps, 0), np.where(vertical_tiles, 0, steps).T
     if torus:
         _close(rows, n, hash, 0)
@@ -83,7 +82,9 @@ def as_cells(name: str, given: ArrayLike, meaning: str) -> NDArray[np.bool_]:
 
 def _draw(hash: MixerHash, count: int, size: int, layer: int) -> Integers:
     """A random number below ``count`` for each of ``size`` lines."""
-    grid = hash.grid(count, _EDGES, np.arange(size, dtype=np.int64), np.zeros(1, np.int64), np.array([layer]))
+    grid = hash.grid(
+        count, BRICK_EDGES, np.arange(size, dtype=np.int64), np.zeros(1, np.int64), np.array([layer])
+    )
     return grid[0, 0].astype(np.int32)
 
 

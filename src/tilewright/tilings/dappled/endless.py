@@ -11,11 +11,10 @@ from tilewright.seeds import check_seed
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Most, as_cells
 from tilewright.tilings.dappled.surgery import is_remark
 from tilewright.tilings.domain import Domain
+from tilewright.tilings.streams import DAPPLE_ENDLESS
 
 SIDE = 256
 """Cells along the side of the blocks that are rectified by themselves."""
-_STREAM = 14
-"""Stream of the hash for a random start."""
 
 Start = float | Callable[[NDArray[np.int64], NDArray[np.int64]], ArrayLike]
 
@@ -53,7 +52,7 @@ class EndlessDappledTiling:
             given = self._evaluate(self.start, x, y, width, height)
         else:
             threshold = round(self.start * 2**31)
-        fill_blocks(x, y, SIDE, self.seed, _STREAM, threshold, given, *self._most, self._across, out)
+        fill_blocks(x, y, SIDE, self.seed, DAPPLE_ENDLESS, threshold, given, *self._most, self._across, out)
         return out
 
     def _evaluate(

@@ -9,8 +9,8 @@ from tilewright.checks import check_int, check_real, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.hashes import MixerHash
+from tilewright.tilings.streams import DAPPLE_START
 
-_STREAM = 15
 _MOST_SIDE = 65536
 _AT_ONCE = 2**20
 """Cells that are drawn at once."""
@@ -49,7 +49,7 @@ def random_start(width: int, height: int, shares: Sequence[float] = (0.5, 0.5), 
     hash, x, rows = MixerHash(seed), np.arange(width), -(-_AT_ONCE // width)
     for top in range(0, height, rows):
         y = np.arange(top, min(top + rows, height))[:, np.newaxis]
-        out[top : top + rows] = np.searchsorted(most[:-1], hash.words(_STREAM, x, y), side="right")
+        out[top : top + rows] = np.searchsorted(most[:-1], hash.words(DAPPLE_START, x, y), side="right")
     return out
 
 
