@@ -14,16 +14,22 @@ Joint = tuple[tuple[int, int], ...]
 
 @dataclass(frozen=True)
 class Shape:
-    """A kind of tile.
+    """A kind of tile: which slots it has, and which of them meet along each axis.
 
     Attributes
     ----------
     name : str
         ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"domino"``, ``"wang-cube"`` or ``"corner-cube"``.
     slots : tuple of str
-        Slot names in index order (Lagae 2007, section 2.7).
+        Slot names in index order, such as ``("N", "E", "S", "W")``.
     joints : tuple of Joint
-        One per axis, in the order x (east), y (south), z (down).
+        One joint for each axis, in the order x (east), y (south), z (down). A joint is a tuple of pairs: a
+        slot of a tile, and the slot of the next tile along the axis that must carry the same color.
+
+    Notes
+    -----
+    The order of the slots is that of Lagae 2007, section 2.7. The thesis lets y grow up; here it grows south,
+    so that rows come in the order of a picture.
     """
 
     name: str
@@ -36,7 +42,23 @@ class Shape:
         return len(self.joints)
 
     def slot(self, name: str) -> int:
-        """Number of the slot called ``name``."""
+        """Give the number of a slot.
+
+        Parameters
+        ----------
+        name : str
+            Name of the slot, one of ``slots``.
+
+        Returns
+        -------
+        int
+            Its place in ``slots``, from 0 on.
+
+        Raises
+        ------
+        ValueError
+            The shape has no slot of that name.
+        """
         return self.slots.index(name)
 
 
