@@ -10,7 +10,7 @@ Progress = Callable[[int, int, str], None]
 
 
 class TilewrightError(Exception):
-    """Base of every error raised on purpose by tilewright."""
+    """Base of every error raised on purpose by tilewright, so that one ``except`` catches them all."""
 
 
 class TilewrightValueError(TilewrightError, ValueError):
@@ -30,7 +30,7 @@ class GpuError(TilewrightError, RuntimeError):
 
 
 class TilewrightWarning(UserWarning):
-    """Something will work but is likely not what was wanted."""
+    """Something will work but is likely not what was wanted; shown by Python's ``warnings``."""
 
 
 class Cancelled(TilewrightError):

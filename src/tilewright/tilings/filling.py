@@ -67,7 +67,7 @@ def filled_tiling(
 
     Notes
     -----
-    Our own. Lagae 2007, section 2.4, says that whether a set tiles is undecidable; of a rectangle it is not.
+    Our own, not from the papers; Lagae 2007, section 2.4, introduces the question.
 
     Examples
     --------
