@@ -211,7 +211,7 @@ def draw_jigsaw(
     --------
     >>> import tilewright as tw
     >>> drawing = tw.draw_jigsaw(tw.packing(tw.corner_tiles(2)), piece=25)
-    >>> 'width="150mm"' in drawing
+    >>> 'width="130mm"' in drawing
     True
     """
     check_choice("engrave", engrave, ENGRAVINGS)

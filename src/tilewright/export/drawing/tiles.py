@@ -64,7 +64,8 @@ def draw_tiles(tiles: TileSet) -> str:
     Examples
     --------
     >>> import tilewright as tw
-    >>> tw.draw_tiles(tw.corner_tiles(2)).count("<g ")
+    >>> drawing = tw.draw_tiles(tw.corner_tiles(2))
+    >>> drawing.count("translate(")  # a group for each tile
     16
     """
     _check_square(tiles)

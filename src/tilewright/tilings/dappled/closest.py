@@ -44,7 +44,7 @@ class Closest:
 
     @property
     def gap(self) -> int:
-        """Number of cells between the distance and the bound; 0 where the tiling is proven to be the closest."""
+        """Number of cells between the distance and the bound; 0 where the tiling is proven closest."""
         return self.distance - self.bound
 
 
@@ -105,8 +105,8 @@ def closest_dapple(
 
     Notes
     -----
-    Kaji et al. 2016, section 6 (3), and (6) for the totals. The paper names integer programming; how the
-    windows are chosen, and the bound, are ours.
+    Kaji et al. 2016, section 6 (3), and (6) for the totals. The paper names integer programming; the
+    windows are ours.
 
     Examples
     --------

@@ -36,10 +36,10 @@ def count_dappled(
     Parameters
     ----------
     width : int
-        Cells along x. The work grows with the number of states of the shorter side: about 3^12 for 12 cells
+        Cells along x, 1 to 10,000. The work grows with the number of states of the shorter side: about 3^12 for 12 cells
         and limits of 2.
     height : int
-        Cells along y.
+        Cells along y, 1 to 10,000.
     limits : mapping of str to longest run, or Conditions
         Such as ``{"H0": 2, "V1": 2}``; see `Conditions`. Limits must be constant.
     cyclic : bool, optional
@@ -72,7 +72,7 @@ def count_dappled(
     --------
     >>> import tilewright as tw
     >>> tw.count_dappled(3, 3, {"H0": 2, "V1": 2})
-    265
+    174
     """
     check_progress(progress)
     check_int("width", width, 1, _MOST_SIDE)

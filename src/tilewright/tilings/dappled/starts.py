@@ -115,7 +115,7 @@ def start_from_image(
 
     Notes
     -----
-    Our own; Kaji et al. 2016, section 6, lets tilings follow pictures without saying how.
+    Our own, not from the papers.
 
     Examples
     --------
