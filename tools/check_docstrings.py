@@ -1,6 +1,5 @@
 """Hold every public name to its docstring: `python tools/check_docstrings.py`.
 
-Public are the names that the stubs (``__init__.pyi``) list, and the methods of the classes among them.
 numpydoc compares parameters with the signature; this file adds what it does not know: that the fields of a
 dataclass may stand under Attributes, and that a function which refuses something says so under Raises.
 """
@@ -12,14 +11,13 @@ import sys
 import textwrap
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from numpydoc.docscrape import get_doc_object
 from numpydoc.validate import Validator, validate
 
-SOURCE = Path(__file__).parent.parent / "src" / "tilewright"
+from public_names import SOURCE, public_objects
 
 # The validator's codes that are not about taste: those of a summary, then parameters, returns and yields.
 SUMMARY = {"GL01", "GL02", "GL03", "GL05", "GL06", "GL07", "GL08", "GL10", "SS01", "SS03", "SS06"}
@@ -40,35 +38,6 @@ class Docstring(Validator):
             own = {field.name for field in fields(self.obj)}
             named |= {n: d for n, d in self._doc_parameters(["Attributes"]).items() if n in own}
         return named
-
-
-def public_objects() -> Iterator[tuple[str, Any]]:
-    """Every function and class that a stub lists, once, and the public members of the classes."""
-    seen = set()
-    for stub in sorted(SOURCE.rglob("__init__.pyi")):
-        package = import_module(".".join(stub.parent.relative_to(SOURCE.parent).parts))
-        for name in listed_names(stub):
-            thing = getattr(package, name)
-            if not (inspect.isclass(thing) or inspect.isfunction(thing)) or thing in seen:
-                continue
-            seen.add(thing)
-            yield f"{thing.__module__}.{name}", thing
-            if inspect.isclass(thing):
-                yield from members(thing)
-
-
-def listed_names(stub: Path) -> list[str]:
-    """The names that a stub lists."""
-    tree = ast.parse(stub.read_text())
-    return [alias.name for node in ast.walk(tree) if isinstance(node, ast.ImportFrom) for alias in node.names]
-
-
-def members(owner: type) -> Iterator[tuple[str, Any]]:
-    """The methods and properties that a class defines itself."""
-    for name, member in vars(owner).items():
-        thing = member.__func__ if isinstance(member, classmethod | staticmethod) else member
-        if not name.startswith("_") and (inspect.isfunction(thing) or isinstance(thing, property)):
-            yield f"{owner.__module__}.{owner.__name__}.{name}", thing
 
 
 def find_faults(thing: Any) -> Iterator[str]:

@@ -3,18 +3,14 @@
 import doctest
 import inspect
 import re
-import sys
 from pathlib import Path
 
 import pytest
 
 import tilewright
+from public_names import public_objects
 
 ROOT = Path(__file__).parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
-
-from check_docstrings import public_objects  # noqa: E402
-
 OPEN_ROOMS = ("signals", "fields", "files", "analysis", "export", "gpu", "shaders", "jobs")
 """Rooms where names of the first page may lack an example still; these are shown, not refused."""
 

@@ -59,7 +59,7 @@ class FlowTile:
 
 
 FLOW_TILES = (FlowTile("-"), FlowTile("|"))
-"""The two tiles of the paper."""
+"""The two tiles of Kaji et al. 2016, section 5: 0 goes west or east, 1 north or south."""
 
 
 def check_tiles(tiles: Sequence[FlowTile], most: int = 256) -> tuple[FlowTile, ...]:

@@ -117,6 +117,7 @@ METHODS: dict[str, Method] = {
         "Lagae 2007, section 4.2.3", dimensions=_PLANE,
     ),
 }  # fmt: skip
+"""Every sampler that `sample_points` knows, by name, as `Method`."""
 
 
 def sample_points(

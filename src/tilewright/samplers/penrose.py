@@ -280,7 +280,7 @@ Take = Callable[[Samples, int], NDArray[np.float64]]
 def find_importance(
     count: int, window: Window, take: Take, progress: Progress | None = None
 ) -> tuple[NDArray[np.float64], int, int]:
-    """The points of the threshold that leaves ``count`` of them, or about so many; it, and its level."""
+    """The points of the threshold that leaves about ``count`` of them; the threshold, and its level."""
     each = window.importance_each
     importance = max(1, round(count * each))
     known: dict[int, Samples] = {}

@@ -73,19 +73,24 @@ _CORNERS = ("NE", "SE", "SW", "NW")
 _EDGES_AND_CORNERS = _NESW + _CORNERS
 
 WANG = Shape("wang", _NESW, _joints(_NESW, "E-W", "S-N"))
+"""Wang tiles: colored edges N, E, S, W."""
 CORNER = Shape("corner", _CORNERS, _joints(_CORNERS, "NE-NW SE-SW", "SW-NW SE-NE"))
+"""Corner tiles: colored corners NE, SE, SW, NW."""
 CORNER_CODED = Shape(
     "corner-coded",
     _EDGES_AND_CORNERS,
     _joints(_EDGES_AND_CORNERS, "E-W NE-NW SE-SW", "S-N SW-NW SE-NE"),
 )
+"""Wang tiles with colored corners too: N, E, S, W, NE, SE, SW, NW."""
 
 # Cubes: x east, y south, z down; U is the upper face, at the cell's own z, D the lower one.
 _FACES = (*_NESW, "U", "D")
 _CUBE_CORNERS = tuple(corner + face for face in "UD" for corner in _CORNERS)
 
 DOMINO = Shape("domino", ("E", "W"), (((0, 1),),))
+"""Dominoes: colored ends E and W."""
 WANG_CUBE = Shape("wang-cube", _FACES, _joints(_FACES, "E-W", "S-N", "D-U"))
+"""Wang cubes: colored faces N, E, S, W, U, D."""
 CORNER_CUBE = Shape(
     "corner-cube",
     _CUBE_CORNERS,
@@ -96,3 +101,4 @@ CORNER_CUBE = Shape(
         "NED-NEU SED-SEU SWD-SWU NWD-NWU",
     ),
 )
+"""Corner cubes: colored corners NEU, SEU, SWU, NWU, NED, SED, SWD, NWD."""

@@ -11,7 +11,7 @@ from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles.shape import Shape
 
 MOST_COLORS = 2**15
-"""What a slot of any set can hold: four slots of so many colors have codes below 2^62."""
+"""Colors that a slot of any set can have: the codes of four such slots are below 2^62."""
 MOST_FAMILY_COLORS = 16
 """What the named families offer."""
 

@@ -185,7 +185,10 @@ def draw_density(flow: Flow, *, size: int = 8, most: float | None = None) -> NDA
 
 
 def fit_size(extent: tuple[int, ...], size: int | None, frames: int = 1) -> int:
-    """Pixels along a cell of frames of (height, width) cells; by default what suits. Too many are refused."""
+    """Pixels along a cell of frames of (height, width) cells; by default the longer side has about 640.
+
+    Frames that would be too large are refused.
+    """
     least, cells = 4, extent[0] * extent[1]
     chosen = max(least, min(48, 640 // max(extent))) if size is None else check_int("size", size, least, 128)
     advice = "take a smaller size" if chosen > least else "take fewer cells, or draw_density"

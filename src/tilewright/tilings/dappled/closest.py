@@ -18,7 +18,7 @@ from tilewright.tilings.dappled.rules import open_strips
 from tilewright.tilings.dappled.surgery import as_problem
 
 WHOLE = 128 * 128
-"""Up to so many cells are given to the solver at once."""
+"""The most cells that are given to the solver at once."""
 _WINDOW, _STEP = 96, 64
 
 Totals = Mapping[int, int | tuple[int, int]]

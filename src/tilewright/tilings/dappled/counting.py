@@ -36,8 +36,8 @@ def count_dappled(
     Parameters
     ----------
     width : int
-        Cells along x, 1 to 10,000. The work grows with the number of states of the shorter side: about 3^12 for
-        12 cells and limits of 2.
+        Cells along x, 1 to 10,000. The work grows with the number of states of the shorter side: about 3^12
+        for 12 cells and limits of 2.
     height : int
         Cells along y, 1 to 10,000.
     limits : mapping of str to longest run, or Conditions

@@ -9,7 +9,7 @@ from tilewright.errors import TilewrightValueError
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Limit, Most, as_cells
 
 _SMALL = 2**15
-"""Up to so many cells, waking threads takes longer than the sweep."""
+"""Up to this number of cells, waking threads takes longer than the sweep."""
 
 
 def rectify(
