@@ -35,6 +35,7 @@ lint: $(VENV)/.lint-installed
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/python tools/check_docstrings.py
 
 docs: $(VENV)/.docs-installed
 	$(BIN)/mkdocs build --strict --quiet

@@ -76,7 +76,7 @@ class GpuError(TilewrightError, RuntimeError):
 
 
 class TilewrightWarning(UserWarning):
-    """Something will work but is likely not what was wanted."""
+    """Something will work but is likely not what was wanted; shown by Python's ``warnings``."""
 
 
 class Cancelled(TilewrightError):

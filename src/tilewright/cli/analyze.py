@@ -1,4 +1,4 @@
-"""tilewright analyze"""
+"""The command ``analyze``."""
 
 from pathlib import Path
 from typing import Annotated

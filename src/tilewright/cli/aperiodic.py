@@ -1,4 +1,4 @@
-"""tilewright aperiodic"""
+"""The command ``aperiodic``."""
 
 from pathlib import Path
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""tilewright bricks"""
+"""The command ``bricks``."""
 
 from pathlib import Path
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""tilewright compare"""
+"""The command ``compare``."""
 
 from pathlib import Path
 from typing import Annotated

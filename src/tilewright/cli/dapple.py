@@ -1,4 +1,4 @@
-"""tilewright dapple"""
+"""The command ``dapple``."""
 
 from pathlib import Path
 from typing import Annotated

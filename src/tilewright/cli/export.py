@@ -1,4 +1,4 @@
-"""tilewright export"""
+"""The command ``export``."""
 
 from pathlib import Path
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""tilewright flow"""
+"""The command ``flow``."""
 
 from pathlib import Path
 from typing import Annotated

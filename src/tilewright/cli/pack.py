@@ -1,4 +1,4 @@
-"""tilewright pack"""
+"""The command ``pack``."""
 
 from pathlib import Path
 from typing import Annotated

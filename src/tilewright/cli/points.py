@@ -1,4 +1,4 @@
-"""tilewright points"""
+"""The command ``points``."""
 
 from pathlib import Path
 from typing import Annotated

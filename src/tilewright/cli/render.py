@@ -1,4 +1,4 @@
-"""tilewright render"""
+"""The command ``render``."""
 
 from pathlib import Path
 from typing import Annotated

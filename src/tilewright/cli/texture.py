@@ -1,4 +1,4 @@
-"""tilewright texture"""
+"""The command ``texture``."""
 
 from pathlib import Path
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""tilewright view"""
+"""The command ``view``."""
 
 from pathlib import Path
 from typing import Annotated

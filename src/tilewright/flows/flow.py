@@ -22,14 +22,16 @@ _PART = 2**24
 
 @dataclass(frozen=True, eq=False)
 class Flow:
-    """Where particles were.
+    """Where particles were; made by `simulate_flow`.
 
     Attributes
     ----------
     cells : uint8 array, shape (height, width)
         Tile of each cell.
     tiles : tuple of FlowTile
+        What these numbers stand for.
     torus : bool
+        Whether opposite sides meet.
     times : int64 array, shape (frames,)
         Steps made when each frame was taken; 0 first, all of them last.
     positions : float32 array, shape (frames, capacity, 2)
@@ -39,8 +41,16 @@ class Flow:
         Where particles go: 0 to 3 for north, east, south, west; 4 where there is none.
     departures : int64 array, shape (height, width, 4)
         How often particles set out from the center of each cell along each way.
-    born, killed, left : int64 arrays, shape (frames,)
-        How many until each frame. Alive are ``particles + born - killed - left``.
+    born : int64 array, shape (frames,)
+        Number of particles born until each frame. Alive are ``particles + born - killed - left``.
+    killed : int64 array, shape (frames,)
+        Number of particles killed until each frame.
+    left : int64 array, shape (frames,)
+        Number of particles that left the rectangle until each frame.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 5.
     """
 
     cells: NDArray[np.uint8]
@@ -56,7 +66,7 @@ class Flow:
 
     @cached_property
     def alive(self) -> NDArray[np.bool_]:
-        """Bool array, shape (frames, capacity)."""
+        """Which columns hold a particle: bool, shape (frames, capacity)."""
         return self.ways < NOBODY
 
     @property
@@ -85,25 +95,39 @@ class Flow:
         }
 
     def visits(self) -> NDArray[np.int64]:
-        """How often a particle set out from the center of each cell, int64 (height, width)."""
+        """Count how often a particle set out from the center of each cell.
+
+        Returns
+        -------
+        int64 array, shape (height, width)
+            Numbers of departures.
+        """
         return np.asarray(self.departures.sum(axis=2))
 
     def density(self, detail: int = 1) -> NDArray[np.float64]:
-        """How many particles are in a place at a time, on average over the whole run.
+        """Give the number of particles that are in a place at a time, on average over the whole run.
 
-        Made from `departures`: every walk along half a cell counts the time that it takes at the cell's
-        speed. Walks count where they begin, so those under way at the start are left out and those not
+        It is made from ``departures``: every walk along half a cell counts the time that it takes at the
+        cell's speed. Walks count where they begin, so those under way at the start are left out and those not
         ended count as a whole.
 
         Parameters
         ----------
-        detail : int
-            Pixels along a cell, 1 to 64. Particles are on the lines that join centers: pixels beside these
-            are 0; the two pixels that a line runs between share it.
+        detail : int, optional
+            Pixels along a cell, 1 to 64; default 1. Particles are on the lines that join centers: pixels
+            beside these are 0; the two pixels that a line runs between share it.
 
         Returns
         -------
         float64 array, shape (height * detail, width * detail)
+            Particles in each pixel.
+
+        Raises
+        ------
+        TilewrightTypeError
+            The detail is not an integer.
+        TilewrightValueError
+            It is out of range, or makes more than 2^28 pixels.
         """
         check_int("detail", detail, 1, 64)
         check_int("pixels", self.cells.size * detail**2, 1, 2**28, "take a smaller detail")
@@ -115,7 +139,13 @@ class Flow:
         return out.reshape(height * detail, width * detail)
 
     def arms(self) -> NDArray[np.float64]:
-        """`density` of the four arms from a cell's center: float64 (height, width, 4), N, E, S, W."""
+        """Give `density` of the four arms from each cell's center.
+
+        Returns
+        -------
+        float64 array, shape (height, width, 4)
+            Particles on the arms to the north, east, south and west.
+        """
         speeds = np.array([tile.speed for tile in self.tiles])[self.cells]
         passed = np.stack([self.departures[..., way] + self._arrivals(way) for way in range(4)], axis=2)
         return np.asarray(passed * (0.5 / (speeds[..., np.newaxis] * float(self.times[-1]))))
@@ -151,7 +181,7 @@ def simulate_flow(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> Flow:
-    """Let particles walk over a tiling (Kaji et al. 2016, section 5).
+    """Let particles walk over a tiling.
 
     They are spread evenly over the lines that join neighboring centers. Each moves to the center of the
     next cell, with the speed of the cell that it is on. There it picks one of the ways of the cell's tile.
@@ -161,36 +191,54 @@ def simulate_flow(
     Parameters
     ----------
     cells : array-like of int, shape (height, width)
-        A tile of each cell, as `dapple` or a window of a tiling gives them; up to 2^22 cells.
-    tiles : sequence of FlowTile
-        What the numbers in ``cells`` stand for, 1 to 256; by default 0 is ``-`` and 1 is ``|``.
+        The tile of each cell, as `dapple` or a window of a tiling gives them; up to 2^22 cells.
+    tiles : sequence of FlowTile, optional
+        What the numbers in ``cells`` stand for, 1 to 256 of them; default `FLOW_TILES`: 0 is ``-`` and 1 is
+        ``|``.
     particles : int
-        At the start, 0 to 2^24. No more may be alive later, when tiles give birth to others.
+        Number of particles at the start, 0 to 2^24. No more may be alive later, when tiles give birth to
+        others.
     steps : int
-        1 to 2^20.
-    torus : bool
-        Whether what leaves at a side comes in at the opposite one. Otherwise the borders are closed: a
-        particle that has picked a way out of the rectangle goes the opposite way.
-    leaves : bool
-        Without ``torus``, whether such a particle walks on to the border instead, and is gone.
-    turns_back : bool
-        Whether a particle may go back where it came from. The paper says "choose either left or right",
-        so it may. Otherwise it does only at closed borders.
-    every : int
-        Frames are taken at the start, after every so many steps, and at the end. All frames together hold up
-        to 2^27 positions of 9 bytes.
-    seed : int
-        0 to 2^64 - 1.
+        Steps to make, 1 to 2^20.
+    torus : bool, optional
+        Whether a particle that leaves at a side comes in at the opposite one; default True. Otherwise the
+        borders are closed: a particle that has picked a way out of the rectangle goes the opposite way.
+    leaves : bool, optional
+        Without ``torus``, whether such a particle walks on to the border instead, and is gone; default False.
+    turns_back : bool, optional
+        Whether a particle may go back where it came from; default True. Otherwise it does only at closed
+        borders.
+    every : int, optional
+        Steps from one frame to the next, 1 to 2^20; default 1. Frames are taken at the start and at the end
+        too. All frames together hold up to 2^27 positions of 9 bytes.
+    seed : int, optional
+        Where chance begins, 0 to 2^64 - 1; default 0.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     Flow
+        All frames, and counts of who passed where.
 
     Raises
     ------
-    TilewrightValueError, TilewrightTypeError
-        An argument out of range; or, while tiles give birth, too many particles or positions.
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        An argument is out of range; or, while tiles give birth, there are too many particles or positions.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 5. The paper says "choose either left or right", so a particle may turn back.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> cells = tw.dapple(tw.random_start(16, 16, seed=1), {"H0": 2, "V1": 2}, cyclic=True)
+    >>> flow = tw.simulate_flow(cells, particles=50, steps=20, seed=1)
+    >>> flow.positions.shape, int(flow.alive[-1].sum())
+    ((21, 50, 2), 50)
     """
     kinds = check_tiles(tiles)
     given = _check_cells(cells, kinds)

@@ -25,14 +25,25 @@ class FlowTile:
     Parameters
     ----------
     ways : str
-        Where a particle goes on from the center: ``"-"`` west or east, ``"|"`` north or south (Kaji et al.
-        2016, section 5), ``"+"`` any of the four. All are equally likely.
-    speed : float
-        Cells for each step, 0.001 to 8, of particles on this cell.
-    emits : float
-        New particles for each step in the center of the cell, on average; 0 to 1000.
-    kills : float
-        Chance that a particle that reaches the center dies there, 0 to 1.
+        Where a particle goes on from the center: ``"-"`` west or east, ``"|"`` north or south, ``"+"`` any of
+        the four. All are equally likely.
+    speed : float, optional
+        Speed of particles on this cell, in cells per step, 0.001 to 8; default 1.
+    emits : float, optional
+        New particles in the center of the cell, on average per step, 0 to 1000; default 0.
+    kills : float, optional
+        Chance that a particle that reaches the center dies there, 0 to 1; default 0.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A number of a wrong type.
+    TilewrightValueError
+        There are no such ways, or a number is out of range.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 5; speeds, births and deaths are of section 6 (4).
     """
 
     ways: str
@@ -48,7 +59,7 @@ class FlowTile:
 
 
 FLOW_TILES = (FlowTile("-"), FlowTile("|"))
-"""The two tiles of the paper."""
+"""The two tiles of Kaji et al. 2016, section 5: 0 goes west or east, 1 north or south."""
 
 
 def check_tiles(tiles: Sequence[FlowTile], most: int = 256) -> tuple[FlowTile, ...]:
@@ -81,20 +92,26 @@ def strew_tiles(
 ) -> tuple[NDArray[np.uint8], tuple[FlowTile, ...]]:
     """Make some cells emit, kill, slow down or speed up, by chance, without changing their ways.
 
-    A dappled tiling stays dappled as to the ways of its tiles. Kaji et al. 2016, section 6 (4).
+    A dappled tiling stays dappled as to the ways of its tiles.
 
     Parameters
     ----------
     cells : array-like of int, shape (height, width)
-    emitting, killing, slow, fast : float
-        Shares of the cells, 0 to 1, together up to 1. Killing cells kill all that reach their center; slow
-        and fast ones have 0.4 and 2.5 times the speed, within 0.001 to 8.
-    tiles : sequence of FlowTile
-        What ``cells`` holds, up to 51.
-    rate : float
-        New particles for each step in an emitting cell.
-    seed : int
-        0 to 2^64 - 1.
+        The tile of each cell, an index into ``tiles``.
+    emitting : float, optional
+        Share of cells that emit, 0 to 1; default 0. All four shares together are at most 1.
+    killing : float, optional
+        Share of cells that kill all that reach their center, 0 to 1; default 0.
+    slow : float, optional
+        Share of cells with 0.4 times the speed, but not below 0.001; default 0.
+    fast : float, optional
+        Share of cells with 2.5 times the speed, but not above 8; default 0.
+    tiles : sequence of FlowTile, optional
+        What ``cells`` holds, up to 51; default `FLOW_TILES`.
+    rate : float, optional
+        New particles in an emitting cell, on average per step, 0 to 1000; default 0.02.
+    seed : int, optional
+        Where chance begins, 0 to 2^64 - 1; default 0.
 
     Returns
     -------
@@ -102,6 +119,17 @@ def strew_tiles(
         Tile ``t + len(tiles) * kind``; kinds are plain, emitting, killing, slow and fast.
     tiles : tuple of FlowTile
         Five times as many as given.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range, or the cells have another shape or other tiles.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 6 (4).
     """
     given = as_cells(cells)
     plain = check_tiles(tiles, 51)

@@ -18,15 +18,28 @@ class Box:
 
     Parameters
     ----------
-    extent : tuple of float
-        Width and height; a third number makes a volume.
-    torus : bool
-        Whether opposite sides meet, so that distances go around.
+    extent : tuple of float, optional
+        Width and height, each 1e-100 to 1e100; a third number, the depth, makes a volume. Default (1, 1).
+    torus : bool, optional
+        Whether opposite sides meet, so that distances go around; default True.
 
     Raises
     ------
+    TilewrightTypeError
+        The extent is not two or three numbers, or ``torus`` is not a truth value.
     TilewrightValueError
         A size that is zero, negative, not finite or NaN.
+
+    Notes
+    -----
+    Lagae 2007, section 4.2.3 for planes and 4.6.1.2 for volumes, measures on unit tori.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> box = tw.Box((2, 1), torus=False)
+    >>> box.dimension, box.volume
+    (2, 2.0)
     """
 
     extent: tuple[float, ...] = (1.0, 1.0)
@@ -52,11 +65,29 @@ class Box:
 
     @property
     def periods(self) -> NDArray[np.float64]:
-        """Per axis, the length after which it repeats; infinity where it does not."""
+        """Per axis, the length after which it repeats: float64, shape (d,); infinity where it does not."""
         return np.array(self.extent if self.torus else (inf,) * self.dimension)
 
     def check_points(self, points: ArrayLike) -> NDArray[np.float64]:
-        """``points`` as float64, shape (N, d), each of them inside the box."""
+        """Refuse points outside the box.
+
+        Parameters
+        ----------
+        points : array-like of float, shape (N, d)
+            Coordinates, x first.
+
+        Returns
+        -------
+        float64 array, shape (N, d)
+            The points.
+
+        Raises
+        ------
+        TilewrightTypeError
+            The coordinates are not numbers.
+        TilewrightValueError
+            They have another shape, are not finite, or lie outside the box; the message names the first.
+        """
         given = as_points(points, self.dimension)
         outside = ((given < 0) | (given >= self.extent)).any(axis=1)
         if outside.any():

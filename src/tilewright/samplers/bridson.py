@@ -23,7 +23,7 @@ def bridson_darts(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """About ``count`` points, none closer than 2 rho r_max, grown outward from the first.
+    """Grow points outward from the first: about ``count`` of them, none closer than 2 rho r_max.
 
     Darts are thrown into the ring around a point, from the least distance to twice that, until ``tries`` of
     them in a row have found no room. Few gaps are left where another point would fit.
@@ -31,16 +31,35 @@ def bridson_darts(
     Parameters
     ----------
     count : int
-        About so many points.
+        About how many points, 1 to 2^31 - 1.
     rho : float, optional
-        Relative radius of ``count`` points, more than 0; the box is filled in any case, so with a low one
-        there are more points. Without it, one at which about ``count`` points fill it.
-    tries : int
-        More make the set more nearly full, and a little larger.
-    seed : int or numpy Generator
-    box : Box
-        The domain; the unit torus by default.
+        Relative radius of ``count`` points, more than 0, up to 1; the box is filled in any case, so with a
+        low one there are more points. By default one at which about ``count`` points fill it.
+    tries : int, optional
+        Darts around each point, 1 to 10^6; default 30. More make the set more nearly full, and a little
+        larger.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default the unit torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
+
+    Returns
+    -------
+    PointSet
+        In the order in which they were placed.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    Bridson 2007.
     """
     domain = check_box(box)
     n = check_count(count, 100)

@@ -30,27 +30,41 @@ def best_candidate(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Exactly ``count`` points; the first n of them are well spread for every n.
+    """Take the best of many candidates for each point: as far as can be from those before.
 
     The point after the first n is the farthest from them among ``multiple`` n candidates: for 16,384 points
-    134 million in all. Departs from the paper in drawing only those, a few hundred for each point, that fall
-    where they may win, so the time grows little faster than the number of points; the distribution is the
-    same.
+    134 million in all. The first n points are well spread for every n.
 
     Parameters
     ----------
     count : int
-    multiple : int
-        Candidates for each point before; more make the distances more even.
-    seed : int or numpy Generator
-    box : Box
-        The domain; the unit torus by default.
+        Number of points, 1 to 2^31 - 1.
+    multiple : int, optional
+        Candidates for each point before, 1 to 10^6; default 1. More make the distances more even.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default the unit torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     PointSet
         Nothing is promised about distances; the relative radius is about 0.72.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    Mitchell 1991. Departs from the paper in drawing only those candidates, a few hundred for each point, that
+    fall where they may win, so the time grows little faster than the number of points; the distribution is
+    the same.
     """
     domain = check_box(box)
     n = check_count(count, 1200)

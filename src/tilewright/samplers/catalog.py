@@ -14,16 +14,16 @@ from tilewright.seeds import Seed
 
 @dataclass(frozen=True)
 class Method:
-    """A sampler.
+    """A sampler of `METHODS`, and what it promises.
 
     Attributes
     ----------
     home : str
-        "module.function" below this package; called as ``function(count, rho, seed=, box=, progress=)``
-        or, where ``takes_rho`` is False, without rho.
+        "module.function" below the package of samplers; it is called as ``function(count, rho, seed=, box=,
+        progress=)`` or, where ``takes_rho`` is False, without rho.
     exact : bool
-        Whether there are always exactly ``count`` points; else about so many. Where ``fills`` is True too,
-        exactly so many with rho only.
+        Whether there are always exactly ``count`` points; otherwise about as many. Where ``fills`` is True
+        too, the number is exact only if a relative radius is asked for.
     takes_rho : bool
         Whether a relative radius can be asked for.
     promise : str
@@ -33,7 +33,7 @@ class Method:
     fills : bool
         Whether it goes on until there is no room for another point, unless it is exact and rho is given.
     dimensions : tuple of int
-        Of the boxes it works in.
+        Dimensions of the boxes it works in.
     tori : bool
         Whether these may be tori.
     """
@@ -117,6 +117,7 @@ METHODS: dict[str, Method] = {
         "Lagae 2007, section 4.2.3", dimensions=_PLANE,
     ),
 }  # fmt: skip
+"""Every sampler that `sample_points` knows, by name, as `Method`."""
 
 
 def sample_points(
@@ -129,26 +130,51 @@ def sample_points(
     progress: Progress | None = None,
     **settings: Any,
 ) -> PointSet:
-    """Points of a box by a method without tiles.
+    """Make points of a box by a method without tiles.
 
     Parameters
     ----------
     method : str
-        A name of `METHODS`.
+        A name of `METHODS`, such as ``"dart"``, ``"lloyd"``, ``"maximal"``, ``"best-candidate"`` or
+        ``"sobol"``.
     count : int
-        How many points; exactly where the method can, else about.
+        Number of points, 1 to 2^31 - 1: exactly as many where the method can, else about as many.
     rho : float, optional
-        Relative radius, where the method takes one; its usual one by default.
-    seed : int or numpy Generator
+        Relative radius, 0 to 1, where the method takes one; by default the method's own.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
     box : Box, optional
-        The domain; the unit torus by default, the plain unit square where a method knows no tori.
+        The domain; by default the unit torus, or the plain unit square where a method knows no tori.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
     **settings
-        What else the method's function takes.
+        What else the method's function takes, such as ``iterations`` of ``"lloyd"``.
 
     Returns
     -------
     PointSet
+        The points, the distance they keep, and the method's figures.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A setting that the method does not take, or an argument of a wrong type.
+    TilewrightValueError
+        There is no such method, it does not work in such a box, it found no room for ``count`` points at
+        ``rho``, or a number is out of range.
+
+    Notes
+    -----
+    Lagae 2007, chapters 4 and 6; `METHODS` names the source of each method.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> made = tw.sample_points("dart", 200, rho=0.7, seed=3)
+    >>> len(made.points), bool(made.rho >= 0.7)
+    (200, True)
+    >>> sorted(tw.samplers.METHODS)[:4]
+    ['best-candidate', 'bridson', 'dart', 'elimination']
     """
     known = METHODS[check_choice("method", method, tuple(METHODS))]
     module, function = known.home.split(".")

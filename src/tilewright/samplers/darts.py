@@ -23,23 +23,38 @@ def dart_throwing(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Exactly ``count`` points, none closer than 2 rho r_max.
+    """Throw darts: exactly ``count`` points by chance, none closer than 2 rho r_max.
 
     Parameters
     ----------
     count : int
-    rho : float
-        Relative radius, 0 up to 1. Random darts fill a plane at about 0.77 (disks then cover 54.7 % of
-        it, the jamming limit of random sequential adsorption); to 0.75 they come in practice.
-    seed : int or numpy Generator
-    box : Box
-        The domain; the unit torus by default.
+        Number of points, 1 to 2^31 - 1.
+    rho : float, optional
+        Relative radius, 0 up to 1; default 0.7. Random darts fill a plane at about 0.77 (disks then cover
+        54.7 % of it, the jamming limit of random sequential adsorption); to 0.75 they come in practice.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default the unit torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
+
+    Returns
+    -------
+    PointSet
+        In the order in which they were placed; ``figures["darts"]`` is the number of darts thrown.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        The darts found no room for so many points. A small set that leaves none is begun anew first.
+        The darts found no room for all points, or a number is out of range. A small set that leaves no room
+        is begun anew first.
+
+    Notes
+    -----
+    Cook 1986; Lagae 2007, section 6.3.
     """
     domain = check_box(box)
     n = check_count(count, 8 * domain.dimension + 4)

@@ -31,27 +31,42 @@ def sample_elimination(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Exactly ``count`` points, chosen from more by taking away the most crowded one again and again.
+    """Choose exactly ``count`` points from more, taking away the most crowded one again and again.
 
     Parameters
     ----------
     count : int
-    oversampling : float
-        How many times as many random points to begin with, 1 up to 100; 5 make a relative radius of about
-        0.69, 10 of 0.73.
-    start : PointSet or array-like, shape (m, d), optional
-        Points to choose from instead.
-    progressive : bool
-        Whether the first n points are to be well spread for every n; else they are in order of chance.
-    seed : int or numpy Generator
-    box : Box
-        The domain; that of ``start`` or the unit torus by default.
+        Number of points, 1 to 2^31 - 1.
+    oversampling : float, optional
+        How many times as many random points to begin with, 1 up to 100; default 5. With 5 the relative radius
+        is about 0.69, with 10 about 0.73.
+    start : PointSet or array-like of float, shape (m, d), optional
+        Points to choose from instead of random ones.
+    progressive : bool, optional
+        Whether the first n points are to be well spread for every n; default False, which leaves them in
+        order of chance.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default that of ``start``, or the unit torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     PointSet
         Nothing is promised about distances.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        ``start`` has too few points, or a number is out of range.
+
+    Notes
+    -----
+    Yuksel 2015.
     """
     if box is None and isinstance(start, PointSet):
         box = start.box

@@ -26,7 +26,7 @@ def check_box(box: Any, *, plane: str = "") -> Box:
 
 
 def check_count(count: Any, bytes_each: int) -> int:
-    """``count`` as an int, if so many points at ``bytes_each`` fit into this machine's memory."""
+    """``count`` as an int, if that number of points at ``bytes_each`` fits into this machine's memory."""
     n = check_int("count", count, 1, LARGEST_COUNT, "tiles give larger sets a window at a time")
     check_memory(f"count is {n}", n * bytes_each)
     return n
@@ -83,7 +83,7 @@ def full_distance(count: int, box: Box, full_rho: float, margin: float) -> float
 def most_points(distance: float, box: Box, bytes_each: int) -> int:
     """No set of points ``distance`` apart has more: their spheres would be packed closer than can be.
 
-    Refuses a distance at which so many points, at ``bytes_each``, may not fit into memory.
+    Refuses a distance at which that number of points, at ``bytes_each``, may not fit into memory.
     """
     border = 0.0 if box.torus else distance
     room = 1.0

@@ -16,7 +16,7 @@ Run = Callable[[float, int, int], tuple[NDArray[np.float64], bool]]
 """
 
 SMALL = 4096
-"""Sets of fewer points are begun anew when they are full; about so many points are placed in all."""
+"""Sets of fewer points are begun anew when full, until about this number of points was placed in all."""
 LEAST_RHO = 1e-6
 
 _FULL = {
@@ -35,7 +35,7 @@ _DRAWS = 2**40
 
 
 def fill(name: str, count: int, rho: float | None, box: Box, bytes_each: int, run: Run) -> PointSet:
-    """Exactly ``count`` points at ``rho``, or without it all there is room for, which are about so many.
+    """Exactly ``count`` points at ``rho``, or without it about ``count``: all there is room for.
 
     A small set may close up before it has ``count`` points although others would not: it is begun anew.
     bytes_each : memory that ``run`` takes for each point it may place.

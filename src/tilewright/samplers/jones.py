@@ -22,35 +22,44 @@ def jones_darts(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Points none of which are closer than 2 rho r_max, each uniform in the room the ones before leave.
+    """Throw darts that never miss: each point is uniform in the room that the ones before leave.
 
-    That is the distribution of dart throwing, at any radius and without a miss. Every Voronoi cell knows
-    the area its point's disk leaves free; a cell is chosen by area from a tree, and a place in it by area.
-    Departs from the paper in keeping polygons, which a new point cuts one by one, instead of a
-    triangulation.
+    That is the distribution of dart throwing, at any radius. No two points are closer than 2 rho r_max. Every
+    Voronoi cell knows the area its point's disk leaves free; a cell is chosen by area from a tree, and a
+    place in it by area.
 
     Parameters
     ----------
     count : int
-        Exactly so many with ``rho``; about so many without.
+        Number of points, 1 to 2^31 - 1: exact with ``rho``, about as many without.
     rho : float, optional
-        Relative radius, more than 0. Without it points are placed until there is no room for another, at a
-        radius for which that happens at about ``count`` points: rho is about 0.776, and of 16,384 come
-        up to 70 more or fewer.
-    seed : int or numpy Generator
-    box : Box
-        A plane domain; the unit torus by default.
+        Relative radius, more than 0, up to 1. By default points are placed until there is no room for
+        another, at a radius for which that happens at about ``count`` points: rho is about 0.776, and of
+        16,384 come up to 70 more or fewer.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain, a plane one; by default the unit torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     PointSet
-        Its figures say whether it is maximal.
+        ``figures["maximal"]`` says whether there is no room for another point.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        There was no room for ``count`` points at ``rho``.
+        There was no room for ``count`` points at ``rho``, the box is not a plane, or a number is out of
+        range.
+
+    Notes
+    -----
+    Jones 2006; Lagae 2007, section 6.12. Departs from the paper in keeping polygons, which a new point cuts
+    one by one, instead of a triangulation.
     """
     domain = check_box(box, plane="the method of Jones")
     n = check_count(count, _BYTES_EACH)

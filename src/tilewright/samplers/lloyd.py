@@ -1,5 +1,7 @@
-"""Lloyd's relaxation: every point moves to the middle of its Voronoi cell, again and again
-(Lloyd 1982; McCool & Fiume 1992; Lagae 2007, section 6.5)."""
+"""Lloyd's relaxation: every point moves to the middle of its Voronoi cell, again and again.
+
+Lloyd 1982; McCool & Fiume 1992; Lagae 2007, section 6.5.
+"""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,36 +26,44 @@ def lloyd_relaxation(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Exactly ``count`` points, moved until they are ``rho`` apart or for some ``iterations``.
+    """Move points to the middle of their Voronoi cells, again and again, until they are far enough apart.
 
     Parameters
     ----------
-    count : int
-        May be left out where ``start`` is given.
+    count : int, optional
+        Number of points, 1 to 2^31 - 1; may be left out where ``start`` is given.
     rho : float, optional
         Relative radius at which to stop, 0 up to 1. A thousand points come to about 0.74 in 16 iterations,
-        0.78 in 32 and 0.80 in 128; 16,384 points to 0.71, 0.74 and 0.77. Without it all iterations are
+        0.78 in 32 and 0.80 in 128; 16,384 points to 0.71, 0.74 and 0.77. By default all iterations are
         made, and nothing is promised about distances.
-    iterations : int
-        How many at most; 32 by default, 256 where ``rho`` is given.
-    start : PointSet or array-like, shape (count, 2), optional
-        Points to begin with, no two at the same place; those of relaxation dart throwing by default.
-    seed : int or numpy Generator
-        For the points to begin with.
-    box : Box
-        The domain; that of ``start`` or the unit torus by default.
+    iterations : int, optional
+        The most iterations, 0 to 10^6; by default 32, or 256 where ``rho`` is given.
+    start : PointSet or array-like of float, shape (count, 2), optional
+        Points to begin with, no two at the same place; by default those of `relaxation_darts`.
+    seed : int or numpy.random.Generator, optional
+        Where the chance of the points to begin with begins: 0 to 2^64 - 1, or a generator; default 0.
+    box : Box, optional
+        The domain, a plane one; by default that of ``start``, or the unit torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     PointSet
-        In the order of ``start``. Its figures are the iterations and, for each of them, ``rho`` before it;
-        last the one reached.
+        In the order of ``start``. ``figures["iterations"]`` is the number of iterations; ``figures["rho"]``
+        the relative radius before each of them, and last the one reached.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        ``rho`` was not reached; the message says how far it came.
+        ``rho`` was not reached, and the message says how far it came; or the box is not a plane, or a number
+        is out of range.
+
+    Notes
+    -----
+    Lloyd 1982; McCool & Fiume 1992; Lagae 2007, section 6.5.
     """
     if box is None and isinstance(start, PointSet):
         box = start.box

@@ -32,33 +32,43 @@ def maximal_darts(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Points none of which are closer than 2 rho r_max, until there is no room left for another one.
+    """Throw darts at what may still be free, cell by ever smaller cell, until no room is left.
 
-    Darts are thrown at cells of a grid that may have room, each equally likely; then those cells are halved
-    along every axis, and parts covered by a disk are dropped. The distribution is that of dart throwing.
+    No two points are closer than 2 rho r_max. Darts are thrown at cells of a grid that may have room, each
+    equally likely; then those cells are halved along every axis, and parts covered by a disk are dropped. The
+    distribution is that of dart throwing.
 
     Parameters
     ----------
     count : int
-        Exactly so many with ``rho``, which may come before the room ends; about so many without.
+        Number of points, 1 to 2^31 - 1: exact with ``rho``, which may come before the room ends; about as
+        many without.
     rho : float, optional
-        Relative radius, more than 0. Without it the set is maximal, at a radius for which that happens at
-        about ``count`` points: rho is about 0.776 in planes and 0.80 in volumes.
-    seed : int or numpy Generator
-    box : Box
-        The domain; the unit torus by default.
+        Relative radius, more than 0, up to 1. By default the set is maximal, at a radius for which that
+        happens at about ``count`` points: rho is about 0.776 in planes and 0.80 in volumes.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default the unit torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     PointSet
-        Its figures say whether it is known to be maximal: no place of the box is farther than ``distance``
-        from all points.
+        ``figures["maximal"]`` says whether it is known to be maximal: no place of the box is farther than
+        ``distance`` from all points.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        There was no room for ``count`` points at ``rho``.
+        There was no room for ``count`` points at ``rho``, or a number is out of range.
+
+    Notes
+    -----
+    Ebeida et al. 2012.
     """
     domain = check_box(box)
     n = check_count(count, _BYTES_EACH)

@@ -1,5 +1,7 @@
-"""Points on a Penrose tiling, numbered in the Fibonacci system and moved by tabulated vectors
-(Ostromoukhov, Donohue & Jodoin 2004; Lagae 2007, section 6.8)."""
+"""Points on a Penrose tiling, numbered in the Fibonacci system and moved by tabulated vectors.
+
+Ostromoukhov, Donohue & Jodoin 2004; Lagae 2007, section 6.8.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -57,37 +59,44 @@ VECTORS = Path(__file__).with_name("penrose_vectors.npy")
 def penrose_points(
     count: int, *, seed: Seed = 0, box: Box | None = None, progress: Progress | None = None
 ) -> PointSet:
-    """About ``count`` points at the vertices of a Penrose tiling, moved by tabulated vectors.
+    """Take about ``count`` vertices of a Penrose tiling, moved by tabulated vectors.
 
     The tiling is subdivided again and again; each vertex has a code that says at which density it appears.
     The vertices with codes up to a threshold are kept. They move by vectors that depend on the last digits
     of the code and on the threshold. The relative radius is then 0.75 to 0.82, at every density; without the
     vectors it is 0.50 to 0.81. The spectrum shows the tiling: stars of high peaks with tenfold symmetry.
 
-    Departs from the paper in how the vectors are made (their own table, see `penrose_relaxation`) and in the
-    threshold, which is found from the number of points instead of given by a density. Unlike the authors'
-    program it leaves no holes (Lagae 2007, figure 6.16): all tiles in the box are subdivided.
-
     Parameters
     ----------
     count : int
-        The number of points comes to within a few of it, often exactly.
-    seed : int or numpy Generator
-        The tiling is always the same and is not turned; the seed says which window of it the box shows.
-    box : Box
-        A plain rectangle; the unit square by default. The points do not go around a torus.
+        Number of points, 1 to 2^31 - 1; it comes to within a few of it, often exactly.
+    seed : int or numpy.random.Generator, optional
+        Which window of the tiling the box shows: 0 to 2^64 - 1, or a generator; default 0. The tiling is
+        always the same and is not turned.
+    box : Box, optional
+        A plain rectangle; by default the unit square. The points do not go around a torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     PointSet
-        In the order of their codes. Its figures are the threshold (``importance``) and the level of
-        subdivision; no distance is promised.
+        In the order of their codes; no distance is promised. ``figures["importance"]`` is the threshold,
+        ``figures["level"]`` the number of subdivisions.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        A torus.
+        The box is a torus or not a plane, or a number is out of range.
+
+    Notes
+    -----
+    Ostromoukhov, Donohue & Jodoin 2004; Lagae 2007, section 6.8. Departs from the paper in how the vectors
+    are made (their own table, see ``penrose_relaxation.py``) and in the threshold, which is found from the
+    number of points instead of given by a density. Unlike the authors' program it leaves no holes (Lagae
+    2007, figure 6.16): all tiles in the box are subdivided.
     """
     domain = Box(torus=False) if box is None else check_box(box, plane="the Penrose method")
     if domain.torus:
@@ -273,7 +282,7 @@ Take = Callable[[Samples, int], NDArray[np.float64]]
 def find_importance(
     count: int, window: Window, take: Take, progress: Progress | None = None
 ) -> tuple[NDArray[np.float64], int, int]:
-    """The points of the threshold that leaves ``count`` of them, or about so many; it, and its level."""
+    """The points of the threshold that leaves about ``count`` of them; the threshold, and its level."""
     each = window.importance_each
     importance = max(1, round(count * each))
     known: dict[int, Samples] = {}

@@ -1,7 +1,7 @@
-"""How the vectors that move Penrose points are made; ``python -m tilewright.samplers.penrose_relaxation``
-makes the stored table again.
+"""How the vectors that move Penrose points are made.
 
-The vectors are those of Lloyd's relaxation, each the mean over all points with the same indices
+``python -m tilewright.samplers.penrose_relaxation`` makes the stored table again. The vectors are those of
+Lloyd's relaxation, each the mean over all points with the same indices
 (Ostromoukhov, Donohue & Jodoin 2004). Means alone leave relative radii of 0.50 to 0.72; so points that are
 still too close are then pushed apart, again by means over the indices, in which the closest pairs count most.
 """
@@ -99,8 +99,10 @@ def _mean(moves: list[Moves]) -> NDArray[np.complex128]:
 
 @dataclass(frozen=True, eq=False)
 class Patch:
-    """The samples of one density in the unit square; those near its border see no neighbors outside and do
-    not count. ``radius`` is r_max of the density."""
+    """The samples of one density in the unit square.
+
+    Those near its border see no neighbors outside and do not count. ``radius`` is r_max of the density.
+    """
 
     points: NDArray[np.complex128]
     frames: NDArray[np.complex128]

@@ -12,19 +12,32 @@ from tilewright.samplers.radius import max_radius, relative_radius
 
 @dataclass(frozen=True, eq=False)
 class PointSet:
-    """Points of a box.
+    """Points of a box, and what is promised about them: the answer of every sampler.
 
     Attributes
     ----------
     points : float64 array, shape (N, d)
-        x first; 0 <= points < box.extent.
+        Coordinates, x first; 0 <= points < box.extent.
     box : Box
+        The domain; by default the unit torus.
     method : str
-        Name of the method that made them.
+        Name of the method that made them; default ``"given"``.
     distance : float
-        No two points are closer, but for rounding; 0 where the method promises nothing.
+        No two points are closer, but for rounding; 0, the default, where the method promises nothing.
     figures : dict
-        What else the method has to say: iterations, darts thrown, whether the set is maximal.
+        What else the method has to say: iterations, darts thrown, whether the set is maximal; by default
+        nothing.
+
+    Notes
+    -----
+    Lagae 2007, section 4.2.1, defines the distributions; section 4.2.3 the relative radius ``rho``.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> grid = tw.PointSet([[0.25, 0.25], [0.75, 0.25], [0.25, 0.75], [0.75, 0.75]])
+    >>> round(grid.rho, 4)
+    0.9306
     """
 
     points: NDArray[np.float64]
@@ -38,10 +51,10 @@ class PointSet:
 
     @property
     def max_radius(self) -> float:
-        """r_max of so many points in the box."""
+        """Radius r_max of the densest packing of as many disks in the box; see `max_radius`."""
         return max_radius(len(self.points), self.box)
 
     @property
     def rho(self) -> float:
-        """The relative radius, measured."""
+        """The relative radius, measured; see `relative_radius`."""
         return relative_radius(self.points, self.box)

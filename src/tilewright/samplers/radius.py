@@ -11,10 +11,32 @@ LARGEST_COUNT = 2**31 - 1
 
 
 def max_radius(count: int, box: Box) -> float:
-    """Radius of ``count`` disks in the densest packing: r_max of Lagae 2007, eq. 4.2, of spheres eq. 4.5.
+    """Give the radius r_max of disks, or spheres, in their densest packing.
 
-    Half the distance of nearest points in a hexagonal lattice (a face-centered cubic one in three
+    It is half the distance of nearest points in a hexagonal lattice (a face-centered cubic one in three
     dimensions) with ``count`` points in the box.
+
+    Parameters
+    ----------
+    count : int
+        Number of disks, 1 or more.
+    box : Box
+        The domain.
+
+    Returns
+    -------
+    float
+        The radius, in the box's units.
+
+    Notes
+    -----
+    Lagae 2007, section 4.2.3, eq. 4.2; of spheres section 4.6.1.2, eq. 4.5.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> round(tw.max_radius(1000, tw.Box()), 5)
+    0.01699
     """
     return float((box.volume / count / cell_volume(box.dimension)) ** (1 / box.dimension))
 
@@ -25,9 +47,26 @@ def cell_volume(dimension: int) -> float:
 
 
 def nearest_distances(points: ArrayLike, box: Box) -> NDArray[np.float64]:
-    """Distance from every point to the nearest other one; infinity for a single point.
+    """Measure the distance from every point to the nearest other one.
 
-    On a torus a point's own images count too: nothing is farther than its shortest side.
+    Parameters
+    ----------
+    points : array-like of float, shape (N, d)
+        Coordinates inside the box, x first.
+    box : Box
+        The domain. On a torus a point's own images count too: nothing is farther than its shortest side.
+
+    Returns
+    -------
+    float64 array, shape (N,)
+        Distances in the box's units; infinity for a single point of a plain box.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The coordinates are not numbers.
+    TilewrightValueError
+        They have another shape, are not finite, or lie outside the box.
     """
     from scipy.spatial import cKDTree
 
@@ -40,13 +79,37 @@ def nearest_distances(points: ArrayLike, box: Box) -> NDArray[np.float64]:
 
 
 def relative_radius(points: ArrayLike, box: Box | None = None) -> float:
-    """rho = r / r_max, with r half the least distance of two points (Lagae 2007, eq. 4.3).
+    """Measure the relative radius: rho = r / r_max, with r half the least distance of two points.
 
     Parameters
     ----------
-    points : array-like, shape (N, d)
-    box : Box
-        The domain; the unit torus by default.
+    points : array-like of float, shape (N, d)
+        Coordinates inside the box, x first.
+    box : Box, optional
+        The domain; by default the unit torus.
+
+    Returns
+    -------
+    float
+        0, where two points coincide, to 1, a hexagonal lattice; 0.7 and more is a good Poisson disk set.
+        Infinity where there are no points.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The coordinates are not numbers.
+    TilewrightValueError
+        They have another shape, are not finite, or lie outside the box.
+
+    Notes
+    -----
+    Lagae 2007, section 4.2.3, eq. 4.3.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> round(tw.relative_radius([[0.1, 0.1], [0.6, 0.6]]), 4)
+    0.9306
     """
     domain = Box() if box is None else box
     distances = nearest_distances(points, domain)

@@ -1,5 +1,7 @@
-"""Relaxation dart throwing: darts whose distance shrinks when no room is left
-(McCool & Fiume 1992; Lagae 2007, section 6.4)."""
+"""Relaxation dart throwing: darts whose distance shrinks when no room is left.
+
+McCool & Fiume 1992; Lagae 2007, section 6.4.
+"""
 
 import numpy as np
 
@@ -26,31 +28,46 @@ def relaxation_darts(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Exactly ``count`` points, the first of them far apart, later ones ever closer.
+    """Throw darts at a distance that shrinks when no room is left: exactly ``count`` points.
 
     The order is hierarchical: the first n points are well spread for every n.
 
     Parameters
     ----------
     count : int
-    factor : float
-        What the distance is multiplied by when no room was found. 16,384 points come to a relative radius
-        of 0.57, 0.68 and 0.73 with a factor of 0.9, 0.99 and 0.999 after 100, 1,000 and 10,000 failures;
-        the last takes twenty times as long as the second.
-    failures : int
-        Darts missing in a row after which there is no room.
-    radius : float
-        Half the first distance; 0.15 of the square root of the area by default, on a torus at most half
-        of its shortest side.
-    seed : int or numpy Generator
-    box : Box
-        The domain; the unit torus by default.
+        Number of points, 1 to 2^31 - 1.
+    factor : float, optional
+        What the distance is multiplied by when no room was found, 0.01 to 0.9999; default 0.99. 16,384 points
+        come to a relative radius of 0.57, 0.68 and 0.73 with a factor of 0.9, 0.99 and 0.999 after 100, 1,000
+        and 10,000 failures; the last takes twenty times as long as the second.
+    failures : int, optional
+        Darts missing in a row after which there is no room, 1 to 10^9; default 1000.
+    radius : float, optional
+        Half the first distance, in the box's units; by default 0.15 of the square root of the area. On a
+        torus at most half of its shortest side is used.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default the unit torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     PointSet
-        Its ``distance`` is the last one, which every two points keep.
+        Its ``distance`` is the last one, which every two points keep; ``figures["darts"]`` the number of
+        darts.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    McCool & Fiume 1992; Lagae 2007, section 6.4.
     """
     domain = check_box(box)
     n = check_count(count, 8 * domain.dimension + 40)

@@ -1,5 +1,7 @@
-"""Points around points, in what is left of the rings around them (Dunbar & Humphreys 2006; Lagae 2007,
-section 6.13)."""
+"""Points around points, in what is left of the rings around them.
+
+Dunbar & Humphreys 2006; Lagae 2007, section 6.13.
+"""
 
 from collections.abc import Callable
 from typing import Any
@@ -26,28 +28,41 @@ def scallop_log(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """Points no closer than 2 rho r_max, each anywhere in the rings around the ones before.
+    """Grow points outward, each anywhere in the rings around the ones before, chosen by area.
 
-    A ring goes from the least distance to twice that; what disks leave of all rings is kept as scalloped
-    sectors, of which each point of the plane is in one at most, and the next point is uniform in them. The
-    set grows outward from the first point until no room is left.
+    No two points are closer than 2 rho r_max. A ring goes from the least distance to twice that; what disks
+    leave of all rings is kept as scalloped sectors, of which each point of the plane is in one at most, and
+    the next point is uniform in them. The set grows from the first point until no room is left.
 
     Parameters
     ----------
     count : int
-        About so many points.
+        About how many points, 1 to 2^31 - 1.
     rho : float, optional
-        Relative radius of ``count`` points, more than 0; the set is full in any case, so with a low one
-        there are more points. Without it, one at which about ``count`` points fill the box.
-    seed : int or numpy Generator
-    box : Box
-        A plane domain; the unit torus by default.
+        Relative radius of ``count`` points, more than 0, up to 1; the set is full in any case, so with a low
+        one there are more points. By default one at which about ``count`` points fill the box.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain, a plane one; by default the unit torus.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     PointSet
         Maximal: no place is farther than ``distance`` from all points.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The box is not a plane, or a number is out of range.
+
+    Notes
+    -----
+    Dunbar & Humphreys 2006; Lagae 2007, section 6.13.
     """
     from tilewright.kernels.scallops import grow_by_area
     from tilewright.kernels.sectors import FIELDS
@@ -74,10 +89,38 @@ def scallop_linear(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """As `scallop_log`, but the rings are filled one after the other, in random order, not by area.
+    """Grow points outward as `scallop_log` does, but fill the rings one after the other, in random order.
 
-    Its time is linear in the number of points, and the sets are a little denser. Parameters, errors and
-    result are those of `scallop_log`.
+    Its time is linear in the number of points, and the sets are a little denser.
+
+    Parameters
+    ----------
+    count : int
+        About how many points, 1 to 2^31 - 1.
+    rho : float, optional
+        Relative radius of ``count`` points, more than 0, up to 1; as of `scallop_log`.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain, a plane one; by default the unit torus.
+    progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
+
+    Returns
+    -------
+    PointSet
+        Maximal: no place is farther than ``distance`` from all points.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The box is not a plane, or a number is out of range.
+
+    Notes
+    -----
+    Dunbar & Humphreys 2006; Lagae 2007, section 6.13.
     """
     from tilewright.kernels.scallops import grow_by_turns
 
@@ -93,10 +136,39 @@ def scallop_boundary(
     box: Box | None = None,
     progress: Progress | None = None,
 ) -> PointSet:
-    """As `scallop_linear`, but every point is at the least distance from another one: their disks touch.
+    """Grow points outward as `scallop_linear` does, but each at the least distance from another one.
 
-    The fastest of the three and the densest, with strong rings in its spectrum. Parameters, errors and result
-    are those of `scallop_log`.
+    Every disk touches another. This is the fastest of the three and the densest, with strong rings in its
+    spectrum.
+
+    Parameters
+    ----------
+    count : int
+        About how many points, 1 to 2^31 - 1.
+    rho : float, optional
+        Relative radius of ``count`` points, more than 0, up to 1; as of `scallop_log`.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain, a plane one; by default the unit torus.
+    progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
+
+    Returns
+    -------
+    PointSet
+        Maximal: no place is farther than ``distance`` from all points.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The box is not a plane, or a number is out of range.
+
+    Notes
+    -----
+    Dunbar & Humphreys 2006; Lagae 2007, section 6.13.
     """
     from tilewright.kernels.scallops import grow_by_touch
 

@@ -1,5 +1,7 @@
-"""What Poisson disks are compared with: chance alone, jittered and regular grids, Sobol's sequence
-(Lagae 2007, section 6.2)."""
+"""What Poisson disks are compared with: chance alone, jittered and regular grids, Sobol's sequence.
+
+Lagae 2007, section 6.2.
+"""
 
 from math import hypot, prod
 
@@ -16,7 +18,35 @@ from tilewright.seeds import Seed, make_key
 def uniform(
     count: int, *, seed: Seed = 0, box: Box | None = None, progress: Progress | None = None
 ) -> PointSet:
-    """Exactly ``count`` points anywhere, each place equally likely: a Poisson distribution."""
+    """Take exactly ``count`` points anywhere, each place equally likely: a Poisson distribution.
+
+    Parameters
+    ----------
+    count : int
+        Number of points, 1 to 2^31 - 1.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default the unit torus.
+    progress : callable, optional
+        Taken so that all samplers are called alike; the work is too short to report.
+
+    Returns
+    -------
+    PointSet
+        Nothing is promised about distances.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 4.2.1.
+    """
     domain = check_box(box)
     n = check_count(count, 16 * domain.dimension)
     return PointSet(_scale(_draw(n, domain, seed), domain), domain, "uniform")
@@ -25,10 +55,37 @@ def uniform(
 def jittered(
     count: int, *, seed: Seed = 0, box: Box | None = None, progress: Progress | None = None
 ) -> PointSet:
-    """Exactly ``count`` points, one anywhere in each of as many parts of equal area, row by row.
+    """Take exactly ``count`` points, one anywhere in each of as many parts of equal area.
 
     Where ``count`` makes no grid of nearly square cells, some rows have one cell more than others; their
     heights are such that all cells have the same area.
+
+    Parameters
+    ----------
+    count : int
+        Number of points, 1 to 2^31 - 1.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default the unit torus.
+    progress : callable, optional
+        Taken so that all samplers are called alike; the work is too short to report.
+
+    Returns
+    -------
+    PointSet
+        Row by row; nothing is promised about distances.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    Cook 1986; Lagae 2007, section 6.2.
     """
     domain = check_box(box)
     n = check_count(count, 64 * domain.dimension)
@@ -40,10 +97,37 @@ def jittered(
 def sobol(
     count: int, *, seed: Seed = 0, box: Box | None = None, progress: Progress | None = None
 ) -> PointSet:
-    """The first ``count`` points of Sobol's sequence (1967) with Owen's scrambling (1995).
+    """Take the first ``count`` points of Sobol's sequence, scrambled.
 
     In planes, where ``count`` is a power of two every binary division of the box into as many equal parts
     has one point in each part.
+
+    Parameters
+    ----------
+    count : int
+        Number of points, 1 to 2^31 - 1.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default the unit torus.
+    progress : callable, optional
+        Taken so that all samplers are called alike; the work is too short to report.
+
+    Returns
+    -------
+    PointSet
+        In the order of the sequence; nothing is promised about distances.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    Sobol 1967, with the scrambling of Owen 1995.
     """
     from scipy.stats.qmc import Sobol
 
@@ -61,7 +145,35 @@ def sobol(
 def regular(
     count: int, *, seed: Seed = 0, box: Box | None = None, progress: Progress | None = None
 ) -> PointSet:
-    """About ``count`` points of a grid with nearly square cells, shifted by chance."""
+    """Take about ``count`` points of a grid with nearly square cells, shifted by chance.
+
+    Parameters
+    ----------
+    count : int
+        About how many points, 1 to 2^31 - 1.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain; by default the unit torus.
+    progress : callable, optional
+        Taken so that all samplers are called alike; the work is too short to report.
+
+    Returns
+    -------
+    PointSet
+        Row by row; its ``distance`` is the shorter side of a cell.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 6.2.
+    """
     domain = check_box(box)
     n = check_count(count, 64 * domain.dimension)
     counts = _divide(n, domain.extent)
@@ -75,9 +187,36 @@ def regular(
 def hexagonal(
     count: int, *, seed: Seed = 0, box: Box | None = None, progress: Progress | None = None
 ) -> PointSet:
-    """About ``count`` points of a lattice of nearly equilateral triangles, shifted by chance.
+    """Take about ``count`` points of a lattice of nearly equilateral triangles, shifted by chance.
 
     The rows are even in number, so that the lattice goes on around a torus.
+
+    Parameters
+    ----------
+    count : int
+        About how many points, 1 to 2^31 - 1.
+    seed : int or numpy.random.Generator, optional
+        Where chance begins: 0 to 2^64 - 1, or a generator, which is drawn from; default 0.
+    box : Box, optional
+        The domain, a plane one; by default the unit torus.
+    progress : callable, optional
+        Taken so that all samplers are called alike; the work is too short to report.
+
+    Returns
+    -------
+    PointSet
+        Row by row; its ``distance`` is that of nearest points.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The box is not a plane, or a number is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 4.2.3.
     """
     domain = check_box(box, plane="the hexagonal lattice")
     n = check_count(count, 64 * domain.dimension)

@@ -1,3 +1,9 @@
+from .coded import (
+    corner_coded_tiles as corner_coded_tiles,
+)
+from .coded import (
+    crossed_wang_tiles as crossed_wang_tiles,
+)
 from .cubes import (
     compact_corner_cubes as compact_corner_cubes,
 )
@@ -23,13 +29,7 @@ from .families import (
     compact_wang_tiles as compact_wang_tiles,
 )
 from .families import (
-    corner_coded_tiles as corner_coded_tiles,
-)
-from .families import (
     corner_tiles as corner_tiles,
-)
-from .families import (
-    crossed_wang_tiles as crossed_wang_tiles,
 )
 from .families import (
     dominoes as dominoes,

@@ -44,24 +44,40 @@ class AperiodicSet:
 
 
 def aperiodic_tiles(name: str = "jeandel-rao-11-5") -> TileSet:
-    """An aperiodic set by its name; see `APERIODIC_SETS` for names, sources and what is proven.
+    """Give an aperiodic set by its name; `APERIODIC_SETS` tells sources, and what is proven of each.
 
     Parameters
     ----------
-    name : str
+    name : str, optional
         Wang sets, slots N, E, S, W: ``"culik-13"``, ``"kari-14"``, ``"ammann-16"``, ``"jeandel-rao-11-4"``,
-        ``"jeandel-rao-11-5"``. Corner sets, slots NE, SE, SW, NW: ``"jeandel-rao-36"`` (rotation),
-        ``"jeandel-rao-34"``, ``"jeandel-rao-37"`` (subdivision), ``"jeandel-rao-31"``, ``"jeandel-rao-26"``,
-        ``"jeandel-rao-24"``, and ``"lagae-44"``, which was published as aperiodic and is not.
+        ``"jeandel-rao-11-5"``, the default. Corner sets, slots NE, SE, SW, NW: ``"jeandel-rao-36"``
+        (rotation), ``"jeandel-rao-34"``, ``"jeandel-rao-37"`` (subdivision), ``"jeandel-rao-31"``,
+        ``"jeandel-rao-26"``, ``"jeandel-rao-24"``, and ``"lagae-44"``, which was published as aperiodic and
+        is not.
 
     Returns
     -------
     TileSet
+        The set; its name says where it is not aperiodic.
 
     Raises
     ------
     TilewrightValueError
         There is no such set, or only its size was published.
+
+    Notes
+    -----
+    Lagae 2007, sections 8.2 and 8.3. The sets of Jeandel & Rao 2015 are younger than the thesis, and so are
+    the corner sets made from them; `APERIODIC_SETS` says which of these rest on a check by computer that
+    nobody has reviewed.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.aperiodic_tiles("jeandel-rao-11-5")
+    <TileSet jeandel-rao-11-5: 11 wang tiles, colors (5, 4, 5, 4)>
+    >>> tw.APERIODIC_SETS["kari-14"].status
+    'aperiodic, proven by Kari 1996'
     """
     if isinstance(name, str) and name in PUBLISHED_ONLY:
         raise TilewrightValueError(

@@ -22,28 +22,35 @@ Blocks = NDArray[np.int32]
 
 
 def possible_blocks(tiles: TileSet, size: int, margin: int = 0) -> Blocks:
-    """Blocks of ``size`` x ``size`` tiles, among them all that occur in any tiling of the plane.
+    """List blocks of tiles among which are all that occur in any tiling of the plane.
 
     Parameters
     ----------
     tiles : TileSet
         Square tiles of any shape.
     size : int
-        1 to 32.
-    margin : int
-        The blocks are the centers of such that are larger by so many tiles on every side. More of it leaves
-        fewer blocks that do not occur.
+        Rows and columns of a block, 1 to 32.
+    margin : int, optional
+        The blocks listed are the middles of blocks with this number of further tiles on every side, 0 to 32;
+        default 0. A wider margin leaves fewer blocks that do not occur, and takes longer.
 
     Returns
     -------
     int32 array, shape (B, size, size)
-        Tile indices, in ascending order. None at all where the set cannot tile the plane and
-        blocks of this size show it.
+        Tile indices, in ascending order. There are none where the set cannot tile the plane and blocks of
+        this size show it.
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a tile set, or a number that is not an integer.
     TilewrightValueError
-        There are more than 2 million blocks on the way.
+        The tiles are not square, a number is out of range, or more than 2 million blocks are met on the way.
+
+    Notes
+    -----
+    Blocks that do not go on in every direction are taken out until none is left to take, so what remains
+    holds all that occur in tilings, and maybe more. Our own method.
     """
     if check_tiles("tiles", tiles).shape.dimension != 2:
         raise TilewrightValueError(
@@ -64,26 +71,32 @@ def possible_blocks(tiles: TileSet, size: int, margin: int = 0) -> Blocks:
 
 
 def drop_idle(tiles: TileSet, margin: int = 1, name: str | None = None) -> TileSet:
-    """The set without tiles that occur in no tiling of the plane, as far as blocks show.
+    """Take out of a set the tiles that occur in no tiling of the plane, as far as blocks show.
 
-    It has the same tilings, so it is aperiodic if ``tiles`` is.
+    The result has the same tilings, so it is aperiodic if ``tiles`` is.
 
     Parameters
     ----------
     tiles : TileSet
         Square tiles.
-    margin : int
-        Tiles that are not the center of a possible block of 2 ``margin`` + 1 rows and columns go.
+    margin : int, optional
+        A tile stays if it is the middle of a possible block of 2 ``margin`` + 1 rows and columns; 0 to 32,
+        default 1.
     name : str, optional
+        What messages and files call the result; by default the name of ``tiles``.
 
     Returns
     -------
     TileSet
+        The tiles that stay, in their order.
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a tile set, or a margin that is not an integer.
     TilewrightValueError
-        No tile remains: the set does not tile the plane.
+        No tile remains: the set does not tile the plane. Or the tiles are not square, or the margin is out of
+        range.
     """
     kept = possible_blocks(tiles, 1, margin).ravel()
     if not len(kept):

@@ -22,18 +22,39 @@ HORIZONTAL, VERTICAL = 0, 1
 
 
 def brick_tiles(positions: int = 4) -> TileSet:
-    """The brick Wang tiles W over n positions: 2 n^2 (n - 1) of them (Kaji et al. 2016, section 4).
+    """Make the brick Wang tiles over n positions: how the corners of four bricks meet.
+
+    The lines between bricks cross the edges of a tile at one of n positions. A tile has E = W and N != S, or
+    N = S and E != W, so that one line goes through and the other one breaks.
 
     Parameters
     ----------
-    positions : int
-        n, 2 to 16. Position k stands for the place (k + 1) / (n + 1) along an edge, unless what draws the
-        tiles says otherwise: from west to east on N and S edges, from north to south on E and W edges.
+    positions : int, optional
+        Number of positions n, 2 to 16; default 4. Position k stands for the place (k + 1) / (n + 1) along an
+        edge, unless what draws the tiles says otherwise: from west to east on N and S edges, from north to
+        south on E and W edges.
 
     Returns
     -------
     TileSet
-        In the order of N, E, S, W; the paper's (c1, c2, c3, c4) are W, N, E, S.
+        2 n^2 (n - 1) tiles, slots N, E, S, W; the (c1, c2, c3, c4) of the paper are W, N, E, S.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The number is not an integer.
+    TilewrightValueError
+        It is out of range.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 4, the set W.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.brick_tiles(4)
+    <TileSet bricks-4: 96 wang tiles, colors (4, 4, 4, 4)>
     """
     return _brick_tiles(check_positions(positions))
 

@@ -69,27 +69,85 @@ class RuledTileSet(TileSet):
 
 
 def corner_cubes(colors: int = 2) -> TileSet:
-    """The complete set of corner cubes, C^8 (Lagae 2007, section 2.10), C from 1 to 16.
+    """Make the complete set of corner cubes.
 
-    Slots: NEU, SEU, SWU, NWU, NED, SED, SWD, NWD. Sets of more than 2^24 cubes are not listed; `TileSet.find`
-    and `TileSet.slots_of` compute.
+    Parameters
+    ----------
+    colors : int, optional
+        Number of colors C, 1 to 16; default 2.
+
+    Returns
+    -------
+    TileSet
+        C^8 cubes, slots NEU, SEU, SWU, NWU, NED, SED, SWD, NWD. Where there are more than 2^24 of them the
+        set does not list its ``slots``; `TileSet.find` and `TileSet.slots_of` compute them.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The number is not an integer.
+    TilewrightValueError
+        It is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 2.10.
     """
     return _complete(CORNER_CUBE, check_colors(colors))
 
 
 def wang_cubes(colors: int = 2) -> TileSet:
-    """The complete set of Wang cubes, C^6 (Lagae 2007, section 2.10), C from 1 to 16.
+    """Make the complete set of Wang cubes.
 
-    Slots are the faces N, E, S, W, U, D.
+    Parameters
+    ----------
+    colors : int, optional
+        Number of colors C, 1 to 16; default 2.
+
+    Returns
+    -------
+    TileSet
+        C^6 cubes; slots are the faces N, E, S, W, U, D.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The number is not an integer.
+    TilewrightValueError
+        It is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 2.10.
     """
     return _complete(WANG_CUBE, check_colors(colors))
 
 
 def compact_corner_cubes(colors: int = 2) -> TileSet:
-    """2 C^7 corner cubes: two for each way the other seven corners can be, SED last.
+    """Make a compact set of corner cubes: two for each way the other seven corners can be, SED last.
 
-    (SED - 2 NWU) mod C is 0 or 1: chains along the space diagonal, which have a direct tiling. For C up to
-    2 this is the complete set.
+    (SED - 2 NWU) mod C is 0 or 1: chains along the space diagonal, which have a direct tiling.
+
+    Parameters
+    ----------
+    colors : int, optional
+        Number of colors C, 1 to 16; default 2.
+
+    Returns
+    -------
+    TileSet
+        2 C^7 cubes; for C up to 2 the complete set.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The number is not an integer.
+    TilewrightValueError
+        It is out of range.
+
+    Notes
+    -----
+    This set is not from a paper; the documentation page on compact sets derives it.
     """
     c = check_colors(colors)
     if c <= 2:
@@ -99,12 +157,33 @@ def compact_corner_cubes(colors: int = 2) -> TileSet:
 
 
 def compact_wang_cubes(colors: int = 2) -> TileSet:
-    """2 C^3 Wang cubes: two for each way the N, W and U faces can be.
+    """Make a compact set of Wang cubes: two for each way the N, W and U faces can be.
 
-    S = 2 N + b, E = 2 W + b and D = 2 U + b modulo C for b = 0 and 1. Only in this order is there always a
-    choice: for even C most ways the S, E and D faces could be do not occur. Over two colors 16 cubes thus
-    suffice to fill space non-periodically, where Cohen et al. 2003, section 5, speak of 32. Where C is a
-    power of two the set has a direct tiling from one bit per cube.
+    They are S = 2 N + b, E = 2 W + b and D = 2 U + b modulo C, for b = 0 and 1. Only in this order is there
+    always a choice: for even C most ways the S, E and D faces could be do not occur. Where C is a power of
+    two the set has a direct tiling from one bit for each cube.
+
+    Parameters
+    ----------
+    colors : int, optional
+        Number of colors C, 1 to 16; default 2.
+
+    Returns
+    -------
+    TileSet
+        2 C^3 cubes, slots N, E, S, W, U, D.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The number is not an integer.
+    TilewrightValueError
+        It is out of range.
+
+    Notes
+    -----
+    After Cohen et al. 2003, section 5, which speaks of 32 cubes over two colors; 16 of them suffice to fill
+    space without a period.
     """
     c = check_colors(colors)
     return RuledTileSet(WANG_CUBE, c, "compact", (c, c, c, min(c, 2)), _bit_to_faces, _faces_to_bit)

@@ -7,7 +7,6 @@ recognize it from its slots alone, also when it comes from a file.
 from math import prod
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_int
 from tilewright.errors import TilewrightValueError
@@ -20,36 +19,107 @@ def _complete(shape: Shape, radices: tuple[int, ...]) -> TileSet:
 
 
 def dominoes(colors: int = 2) -> TileSet:
-    """The complete set of dominoes, C^2 tiles with colored ends E and W (Lagae 2007, section 2.10)."""
+    """Make the complete set of dominoes: C^2 tiles with colored ends E and W.
+
+    Parameters
+    ----------
+    colors : int, optional
+        Number of colors C, 1 to 16; default 2.
+
+    Returns
+    -------
+    TileSet
+        C^2 tiles, slots E, W.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The number is not an integer.
+    TilewrightValueError
+        It is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 2.10.
+    """
     return _complete(DOMINO, (check_colors(colors),) * 2)
 
 
 def wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> TileSet:
-    """The complete set of Wang tiles (Lagae 2007, section 2.7).
+    """Make the complete set of Wang tiles.
 
     Parameters
     ----------
-    colors : int
-        Number of colors of the horizontal edges N and S, 1 to 16.
+    colors : int, optional
+        Number of colors of the horizontal edges N and S, 1 to 16; default 2.
     vertical_colors : int, optional
-        Number of colors of the vertical edges E and W; the same as ``colors`` by default.
+        Number of colors of the vertical edges E and W, 1 to 16; by default the same as ``colors``.
+
+    Returns
+    -------
+    TileSet
+        C_h^2 C_v^2 tiles, slots N, E, S, W.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A number is not an integer.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 2.7.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.wang_tiles(2)
+    <TileSet complete: 16 wang tiles, colors (2, 2, 2, 2)>
+    >>> tw.wang_tiles(2).slots[5]
+    array([0, 1, 0, 1], dtype=uint8)
     """
     c_h, c_v = _both(colors, vertical_colors)
     return _complete(WANG, (c_h, c_v, c_h, c_v))
 
 
 def corner_tiles(colors: int = 2, choices: int | None = None) -> TileSet:
-    """Corner tiles: the complete set, or a compact one.
+    """Make a set of corner tiles: the complete one, or a compact one.
 
     Parameters
     ----------
-    colors : int
-        1 to 16.
+    colors : int, optional
+        Number of colors C, 1 to 16; default 2.
     choices : int, optional
-        How many tiles fit once the NE, NW and SW corners are known. By default all C: the complete set
-        of C^4 tiles (Lagae & Dutré 2006, section 3). With fewer, d, the set holds the d C^3 tiles with
-        (SE - d NW) mod C < d; 2 gives the compact set of 2 C^3 tiles (Lagae 2007, section 3.2.2), in the
-        form for which a direct algorithm exists.
+        How many tiles fit once the NE, NW and SW corners are known, 2 to C; by default C, which is the
+        complete set of C^4 tiles. With a smaller number d the set holds the d C^3 tiles for which
+        (SE - d NW) mod C < d.
+
+    Returns
+    -------
+    TileSet
+        C^4 or d C^3 tiles, slots NE, SE, SW, NW.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A number is not an integer.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    The complete set is that of Lagae & Dutré 2006, section 3. With 2 choices it is the compact set of 2 C^3
+    tiles (Lagae 2007, section 3.2.2), in a form for which a direct algorithm exists: its colors make chains
+    along the diagonal.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.corner_tiles(2)
+    <TileSet complete: 16 corner tiles, colors (2, 2, 2, 2)>
+    >>> len(tw.corner_tiles(4)), len(tw.corner_tiles(4, choices=2))
+    (256, 128)
     """
     c = check_colors(colors)
     full = _complete(CORNER, (c,) * 4)
@@ -63,9 +133,33 @@ def corner_tiles(colors: int = 2, choices: int | None = None) -> TileSet:
 
 
 def column_corner_tiles(colors: int = 2, choices: int = 2) -> TileSet:
-    """Corner tiles whose columns are chains: (SW - d NW) mod C < d and (SE - d NE) mod C < d.
+    """Make a compact set of corner tiles whose columns are chains.
 
-    With d = ``choices`` these are (d C)^2 tiles; not every three corners occur together.
+    It holds the tiles for which (SW - d NW) mod C < d and (SE - d NE) mod C < d. Not every three corners
+    occur together.
+
+    Parameters
+    ----------
+    colors : int, optional
+        Number of colors C, 1 to 16; default 2.
+    choices : int, optional
+        Colors d that can follow one another down a column, 2 to C; default 2.
+
+    Returns
+    -------
+    TileSet
+        (d C)^2 tiles, slots NE, SE, SW, NW.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A number is not an integer.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    This set is not from a paper; the documentation page on compact sets derives it.
     """
     c = check_colors(colors)
     full = _complete(CORNER, (c,) * 4)
@@ -78,10 +172,33 @@ def column_corner_tiles(colors: int = 2, choices: int = 2) -> TileSet:
 
 
 def compact_wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> TileSet:
-    """The compact set of 2 C_h C_v Wang tiles for scanline tiling (Lagae 2007, section 3.2.1).
+    """Make the compact set of Wang tiles for scanline tiling: two tiles for each pair of N and W colors.
 
-    Two tiles for each pair of N and W colors, b = 0 and 1: S = N + b + 2 W and E = W + b + 2 S. Each pair
-    of S and E colors occurs twice as well, so the set also tiles from south-east to north-west.
+    They are S = N + b + 2 W modulo C_h and E = W + b + 2 S modulo C_v, for b = 0 and 1. Each pair of S and E
+    colors occurs twice as well, so the set also tiles from south-east to north-west.
+
+    Parameters
+    ----------
+    colors : int, optional
+        Number of colors C_h of the horizontal edges N and S, 1 to 16; default 2.
+    vertical_colors : int, optional
+        Number of colors C_v of the vertical edges E and W, 1 to 16; by default the same as ``colors``.
+
+    Returns
+    -------
+    TileSet
+        2 C_h C_v tiles, slots N, E, S, W; fewer where an axis has one color only.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A number is not an integer.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 3.2.1.
     """
     c_h, c_v = _both(colors, vertical_colors)
     n, w, b = (a.ravel() for a in np.indices((c_h, c_v, 2)))
@@ -92,12 +209,29 @@ def compact_wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> T
 
 
 def cohen_tiles(count: int = 8) -> TileSet:
-    """The sets of 8, 12 and 18 Wang tiles of Cohen et al. 2003, figure 1.
+    """Make a set of 8, 12 or 18 Wang tiles, as Cohen et al. 2003 use them.
 
-    8 tiles have two colors on either axis, 12 have two on the horizontal edges N and S and three on the
-    vertical edges E and W (the figure's caption; its text says the other way round), 18 have three on
-    both. The figure is not at hand: these are sets of that size with the properties the text asks for,
-    two tiles for each pair of N and W colors and for each pair of S and E colors.
+    Parameters
+    ----------
+    count : int, optional
+        Number of tiles; default 8. 8 tiles have two colors on either axis, 12 have two on the horizontal
+        edges N and S and three on the vertical edges E and W, 18 have three on both.
+
+    Returns
+    -------
+    TileSet
+        The tiles, slots N, E, S, W.
+
+    Raises
+    ------
+    TilewrightValueError
+        Another number of tiles.
+
+    Notes
+    -----
+    Cohen et al. 2003, figure 1. Of the set of 12 the figure's caption is followed; the text has the axes the
+    other way round. The figure was not at hand: these are sets of that size with the properties the text asks
+    for, two tiles for each pair of N and W colors and two for each pair of S and E colors.
     """
     sizes = {8: (2, 2), 12: (2, 3), 18: (3, 3)}
     if count not in sizes:
@@ -108,9 +242,31 @@ def cohen_tiles(count: int = 8) -> TileSet:
 
 
 def summed_wang_tiles(colors: int = 2) -> TileSet:
-    """The compact set of C^3 Wang tiles whose edge colors are sums of corner colors modulo C.
+    """Make the compact set of Wang tiles whose edge colors are sums of corner colors modulo C.
 
-    N = NW + NE and so on (Lagae 2007, section 3.3.2.2); it has a direct tiling from a single hash.
+    The color of the N edge is NW + NE, and so around the tile. The set has a direct tiling from a single
+    hash.
+
+    Parameters
+    ----------
+    colors : int, optional
+        Number of colors C, 1 to 16; default 2.
+
+    Returns
+    -------
+    TileSet
+        C^3 tiles, slots N, E, S, W.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The number is not an integer.
+    TilewrightValueError
+        It is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 3.3.2.2.
     """
     c = check_colors(colors)
     ne, se, sw, nw = _complete(CORNER, (c,) * 4).slots.astype(int).T
@@ -119,9 +275,30 @@ def summed_wang_tiles(colors: int = 2) -> TileSet:
 
 
 def shifted_wang_tiles(colors: int = 2) -> TileSet:
-    """2 C^2 Wang tiles, C a power of two, with a direct tiling from one bit per tile.
+    """Make a compact set of Wang tiles with a direct tiling from one bit for each tile.
 
     A bit b enters on either axis: S = 2 N + b and E = 2 W + b modulo C.
+
+    Parameters
+    ----------
+    colors : int, optional
+        Number of colors C: 2, 4, 8 or 16; default 2.
+
+    Returns
+    -------
+    TileSet
+        2 C^2 tiles, slots N, E, S, W.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The number is not an integer.
+    TilewrightValueError
+        It is not one of these.
+
+    Notes
+    -----
+    This set is not from a paper; the documentation page on compact sets derives it.
     """
     c = check_colors(colors, 2)
     if c & (c - 1):
@@ -133,89 +310,73 @@ def shifted_wang_tiles(colors: int = 2) -> TileSet:
     return TileSet(WANG, slots, (c,) * 4, "shifted")
 
 
-def corner_coded_tiles(base: TileSet | None = None, *, scanline_only: bool = False) -> TileSet:
-    """A Wang set with every combination of marked and unmarked corners (Cohen et al. 2003, section 3.4).
-
-    Parameters
-    ----------
-    base : TileSet, optional
-        A set of Wang tiles; Cohen's 8 tiles by default, which gives 128.
-    scanline_only : bool
-        Keep half of them: three corners of a tile are known when it is placed in scanline order, so the
-        fourth may follow from them and the edges. Here the SE mark is the parity of the other marks and of
-        the tile's rank among those with the same N and W edges, which leaves the choice random.
-    """
-    base = cohen_tiles(8) if base is None else check_tiles("base", base)
-    if base.shape is not WANG:
-        raise TilewrightValueError(
-            f"must be a set of Wang tiles, not of {base.shape.name} ones",
-            argument="base",
-            value=base.shape.name,
-            allowed="a set of Wang tiles",
-        )
-    marks = decode(np.arange(16), (2,) * 4)
-    slots = np.concatenate([np.repeat(base.slots, 16, axis=0), np.tile(marks, (len(base), 1))], axis=1)
-    name = "corner-coded"
-    if scanline_only:
-        rank = np.repeat(_rank_among_alike(base.slots[:, [0, 3]]), 16)
-        ne, se, sw, nw = slots[:, 4:].astype(int).T
-        slots = slots[(se + ne + sw + nw + rank) % 2 == 0]
-        name = "corner-coded-scanline"
-    return TileSet(CORNER_CODED, slots, base.colors + (2,) * 4, name)
-
-
-def crossed_wang_tiles(colors: int = 2) -> TileSet:
-    """Complete Wang tiles that also know the edges crossing at their corners (Lagae 2007, section 4.3).
-
-    C^12 tiles: a tile's own four edges and the eight others that meet its corners. The color of a corner
-    is ((north C + east) C + south) C + west of the edges around it. A tiling of these is a Wang tiling in
-    which each tile's corners are told apart by all that meets there, which solves the corner problem.
-
-    Parameters
-    ----------
-    colors : int
-        1 or 2; three colors would make 531,441 tiles.
-    """
-    c = check_int("colors", colors, 1, 2, "3 would make 531,441 tiles")
-    edges = decode(np.arange(c**12), (c,) * 12).astype(int).T
-    n, e, s, w = edges[:4]
-    # The edges beyond each corner: the column edge and the row edge that lead away from the tile.
-    (ne_n, ne_e), (se_e, se_s), (sw_s, sw_w), (nw_w, nw_n) = edges[4:].reshape(4, 2, -1)
-    corners = [(ne_n, ne_e, e, n), (e, se_e, se_s, s), (w, s, sw_s, sw_w), (nw_n, n, w, nw_w)]
-    codes = [((north * c + east) * c + south) * c + west for north, east, south, west in corners]
-    slots = np.stack([n, e, s, w, *codes], axis=1)
-    return TileSet(CORNER_CODED, slots, (c,) * 4 + (c**4,) * 4, "crossed")
-
-
-def _rank_among_alike(rows: NDArray[np.uint8]) -> NDArray[np.int64]:
-    """For each row, how many equal rows come before it."""
-    seen: dict[bytes, int] = {}
-    ranks = np.empty(len(rows), np.int64)
-    for t, row in enumerate(rows):
-        ranks[t] = seen[row.tobytes()] = seen.get(row.tobytes(), -1) + 1
-    return ranks
-
-
 def tile_set(slots: object, shape: str = "wang", *, name: str = "custom") -> TileSet:
-    """A set of one's own from a table of slot colors, one row per tile.
+    """Make a set of your own from a table of slot colors.
 
     Parameters
     ----------
     slots : array-like of int, shape (T, S)
-        Columns in the order of the shape: N, E, S, W; NE, SE, SW, NW; see `Shape`.
-    shape : str
-        ``"domino"``, ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"wang-cube"`` or ``"corner-cube"``.
+        The colors of each tile, 0 to 2^15 - 1, a row for each tile. Columns are in the order of the shape: N,
+        E, S, W for Wang tiles, NE, SE, SW, NW for corner tiles; see `Shape`.
+    shape : str, optional
+        ``"domino"``, ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"wang-cube"`` or ``"corner-cube"``;
+        default ``"wang"``.
+    name : str, optional
+        What messages and files call the set; default ``"custom"``.
+
+    Returns
+    -------
+    TileSet
+        The tiles in the order of the rows.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The colors are not integers.
+    TilewrightValueError
+        There is no such shape, or the set is empty, has a wrong number of slots, a tile twice, or a color out
+        of range.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiles = tw.tile_set([[0, 1, 1, 0], [1, 0, 0, 1]], "wang", name="two")
+    >>> tiles
+    <TileSet two: 2 wang tiles, colors (2, 2, 2, 2)>
+    >>> tiles.find([1, 0, 0, 1]).item()
+    1
     """
     shapes = {s.name: s for s in (DOMINO, WANG, CORNER, CORNER_CODED, WANG_CUBE, CORNER_CUBE)}
     return TileSet(shapes[check_choice("shape", shape, tuple(shapes))], slots, name=name)  # type: ignore[arg-type]
 
 
 def as_wang_tiles(corners: TileSet) -> TileSet:
-    """The Wang set equivalent to a corner set: an edge color for each pair of corner colors that occurs.
+    """Make the Wang set that is equivalent to a corner set.
 
-    The pairs (west, east) on N and S edges are numbered in ascending order, those (north, south) on E and W
-    edges likewise, from 0 on (Lagae 2007, section 8.4). In a complete set all pairs occur and the color of
-    an edge whose ends are a and b is a C + b (section 2.9).
+    An edge has a color for each pair of corner colors that occurs at its ends. The pairs (west, east) on N
+    and S edges are numbered in ascending order, those (north, south) on E and W edges likewise, from 0 on.
+
+    Parameters
+    ----------
+    corners : TileSet
+        Corner tiles.
+
+    Returns
+    -------
+    TileSet
+        As many Wang tiles, in the same order. In a complete set all pairs occur, and the color of an edge
+        whose ends are a and b is a C + b.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something that is not a tile set.
+    TilewrightValueError
+        The set is not of corner tiles.
+
+    Notes
+    -----
+    Lagae 2007, section 8.4; complete sets in section 2.9.
     """
     if check_tiles("corners", corners).shape is not CORNER:
         raise TilewrightValueError(

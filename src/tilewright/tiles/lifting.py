@@ -20,16 +20,18 @@ class Lifting:
 
     Attributes
     ----------
-    size, margin : int
-        As asked for.
+    size : int
+        Rows and columns of the blocks, as asked for.
+    margin : int
+        Their margin, as asked for.
     blocks : int
-        Possible blocks of ``size`` x ``size`` tiles.
+        Number of possible blocks of ``size`` x ``size`` tiles.
     unique : int
-        Those of them that lift, and always with the same tile at the center.
+        Number of those that lift, and always with the same tile at the center.
     larger : int
-        Possible blocks of one tile more either way.
+        Number of possible blocks of one row and one column more.
     lifted : int
-        Those of them that lift.
+        Number of those that lift.
     """
 
     size: int
@@ -48,7 +50,7 @@ class Lifting:
 def check_lifting(
     merged: TileSet, original: TileSet, mapping: ArrayLike, size: int = 3, margin: int = 0
 ) -> Lifting:
-    """Whether every tiling by a set with merged colors comes from one by the original set.
+    """Find out whether every tiling by a set with merged colors comes from one by the original set.
 
     A block lifts if it is what merging makes of a block of original tiles. Let every possible block of n x n
     tiles lift with only one tile at its center, and every one of (n + 1) x (n + 1) tiles lift at all. Then
@@ -64,10 +66,10 @@ def check_lifting(
         Corner tiles.
     mapping : array-like of int, shape (C,)
         The color of ``merged`` that each color of ``original`` has become.
-    size : int
-        n, odd.
-    margin : int
-        See `possible_blocks`.
+    size : int, optional
+        Rows and columns n of a block, odd, 1 to 31; default 3.
+    margin : int, optional
+        Further tiles around a block, 0 to 32, see `possible_blocks`; default 0.
 
     Returns
     -------
@@ -76,8 +78,16 @@ def check_lifting(
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a tile set, or numbers that are not integers.
     TilewrightValueError
-        A set of other tiles, a mapping that does not fit, or too many blocks.
+        A set of other tiles, a mapping that does not fit, a size that is even or out of range, or too many
+        blocks.
+
+    Notes
+    -----
+    Our own; Lagae 2007, chapter 8, has no such test. What it finds of the sets of `aperiodic_tiles` has not
+    been reviewed by others.
     """
     for name, tiles in (("merged", merged), ("original", original)):
         if check_tiles(name, tiles).shape is not CORNER:

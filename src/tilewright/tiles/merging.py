@@ -16,7 +16,7 @@ _MOST_GROUPED = 20
 
 
 def merge_colors(tiles: TileSet, mapping: ArrayLike, name: str | None = None) -> TileSet:
-    """The set in which colors have become one.
+    """Make the set in which colors have become one.
 
     Every tiling by ``tiles`` gives one by the result; `check_lifting` finds out whether the reverse holds.
 
@@ -25,13 +25,21 @@ def merge_colors(tiles: TileSet, mapping: ArrayLike, name: str | None = None) ->
     tiles : TileSet
         Corner tiles.
     mapping : array-like of int, shape (C,)
-        The new color of each of the set's C colors.
+        The new color of each of the set's C colors, 0 to 2^15 - 1.
     name : str, optional
+        What messages and files call the result; by default the name of ``tiles`` and "merged".
 
     Returns
     -------
     TileSet
         Tiles that have become equal are there once, in ascending order of their colors.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something that is not a tile set, or colors that are not integers.
+    TilewrightValueError
+        The tiles are not corner tiles, or the mapping has another length or colors out of range.
     """
     if check_tiles("tiles", tiles).shape is not CORNER:
         raise TilewrightValueError(
@@ -78,27 +86,34 @@ class Grouping:
 
 
 def grouped_subdivision(wang: TileSet) -> Grouping:
-    """The subdivision with the fewest corner tiles when Wang tiles may share center colors.
+    """Subdivide Wang tiles into the fewest corner tiles, letting Wang tiles share center colors.
 
     A class of Wang tiles may share one if quarters of its tiles fit around a center only where they make up a
     tile of the set. So every tiling by the result comes from one by ``wang``, and where that is aperiodic so
     is the result. Of all partitions into such classes this is the one with the fewest corner tiles, then with
-    the fewest classes: an exact optimum, by dynamic programming over all subsets. Lagae 2007, section 8.3.4,
-    mentions such groupings without a rule or an optimum.
+    the fewest classes: an exact optimum, by dynamic programming over all subsets.
 
     Parameters
     ----------
     wang : TileSet
-        Up to 20 Wang tiles; so many take some 20 seconds.
+        Up to 20 Wang tiles; 20 of them take about 20 seconds.
 
     Returns
     -------
     Grouping
+        ``tiles``, the corner set; ``classes``, the Wang tiles that share each center color; ``plain``, the
+        number of corner tiles when none share.
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a tile set.
     TilewrightValueError
-        More tiles, or tiles that are not Wang tiles.
+        There are more tiles, or they are not Wang tiles.
+
+    Notes
+    -----
+    Lagae 2007, section 8.3.4, mentions such groupings without a rule or an optimum; both are ours.
     """
     slots = wang_slots(wang)
     count = len(slots)

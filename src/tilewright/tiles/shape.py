@@ -14,16 +14,22 @@ Joint = tuple[tuple[int, int], ...]
 
 @dataclass(frozen=True)
 class Shape:
-    """A kind of tile.
+    """A kind of tile: which slots it has, and which of them meet along each axis.
 
     Attributes
     ----------
     name : str
         ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"domino"``, ``"wang-cube"`` or ``"corner-cube"``.
     slots : tuple of str
-        Slot names in index order (Lagae 2007, section 2.7).
+        Slot names in index order, such as ``("N", "E", "S", "W")``.
     joints : tuple of Joint
-        One per axis, in the order x (east), y (south), z (down).
+        One joint for each axis, in the order x (east), y (south), z (down). A joint is a tuple of pairs: a
+        slot of a tile, and the slot of the next tile along the axis that must carry the same color.
+
+    Notes
+    -----
+    The order of the slots is that of Lagae 2007, section 2.7. The thesis lets y grow up; here it grows south,
+    so that rows come in the order of a picture.
     """
 
     name: str
@@ -36,7 +42,23 @@ class Shape:
         return len(self.joints)
 
     def slot(self, name: str) -> int:
-        """Number of the slot called ``name``."""
+        """Give the number of a slot.
+
+        Parameters
+        ----------
+        name : str
+            Name of the slot, one of ``slots``.
+
+        Returns
+        -------
+        int
+            Its place in ``slots``, from 0 on.
+
+        Raises
+        ------
+        ValueError
+            The shape has no slot of that name.
+        """
         return self.slots.index(name)
 
 
@@ -51,19 +73,24 @@ _CORNERS = ("NE", "SE", "SW", "NW")
 _EDGES_AND_CORNERS = _NESW + _CORNERS
 
 WANG = Shape("wang", _NESW, _joints(_NESW, "E-W", "S-N"))
+"""Wang tiles: colored edges N, E, S, W."""
 CORNER = Shape("corner", _CORNERS, _joints(_CORNERS, "NE-NW SE-SW", "SW-NW SE-NE"))
+"""Corner tiles: colored corners NE, SE, SW, NW."""
 CORNER_CODED = Shape(
     "corner-coded",
     _EDGES_AND_CORNERS,
     _joints(_EDGES_AND_CORNERS, "E-W NE-NW SE-SW", "S-N SW-NW SE-NE"),
 )
+"""Wang tiles with colored corners too: N, E, S, W, NE, SE, SW, NW."""
 
 # Cubes: x east, y south, z down; U is the upper face, at the cell's own z, D the lower one.
 _FACES = (*_NESW, "U", "D")
 _CUBE_CORNERS = tuple(corner + face for face in "UD" for corner in _CORNERS)
 
 DOMINO = Shape("domino", ("E", "W"), (((0, 1),),))
+"""Dominoes: colored ends E and W."""
 WANG_CUBE = Shape("wang-cube", _FACES, _joints(_FACES, "E-W", "S-N", "D-U"))
+"""Wang cubes: colored faces N, E, S, W, U, D."""
 CORNER_CUBE = Shape(
     "corner-cube",
     _CUBE_CORNERS,
@@ -74,3 +101,4 @@ CORNER_CUBE = Shape(
         "NED-NEU SED-SEU SWD-SWU NWD-NWU",
     ),
 )
+"""Corner cubes: colored corners NEU, SEU, SWU, NWU, NED, SED, SWD, NWD."""

@@ -11,7 +11,7 @@ from tilewright.errors import TilewrightValueError
 from tilewright.tiles.shape import Shape
 
 MOST_COLORS = 2**15
-"""What a slot of any set can hold: four slots of so many colors have codes below 2^62."""
+"""Colors that a slot of any set can have: the codes of four such slots are below 2^62."""
 MOST_FAMILY_COLORS = 16
 """What the named families offer."""
 
@@ -32,22 +32,42 @@ class TileSet:
     shape : Shape
         The kind of tile, for example `WANG` or `CORNER`.
     slots : array-like of int, shape (T, S)
-        The colors of each tile, one column per slot of ``shape``.
-    colors : sequence of int, optional
-        Number of colors of each slot; by default one more than the largest color that the slots
+        The colors of each tile, 0 to 2^15 - 1; a row for each tile, a column for each slot of ``shape``.
+    colors : tuple of int, optional
+        Number of colors of each slot, 1 to 2^15; by default one more than the largest color that the slots
         which can meet carry.
+    name : str, optional
+        What messages and files call the set; default ``"custom"``.
+
+    Attributes
+    ----------
+    shape : Shape
+        The kind of tile.
+    colors : tuple of int
+        Number of colors of each slot.
     name : str
-        How messages and files call the set.
+        What messages and files call the set.
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a `Shape`, or colors that are not integers.
     TilewrightValueError
-        Empty set, wrong number of slots, a color out of range, or a tile given twice.
+        The set is empty, has a wrong number of slots or a tile twice, or a color is out of range.
 
     Notes
     -----
     The index of a tile is its row in ``slots``. The *code* of a tile is the mixed-radix number of its
-    colors (Lagae 2007, eq. 2.1-2.7); in a complete set code and index are the same.
+    colors (Lagae 2007, section 2.7, eq. 2.1 to 2.7); in a complete set code and index are the same.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiles = tw.TileSet(tw.corner_tiles(2).shape, [[0, 0, 0, 0], [0, 1, 0, 1], [1, 0, 1, 0]], name="mine")
+    >>> tiles
+    <TileSet mine: 3 corner tiles, colors (2, 2, 2, 2)>
+    >>> tiles.fitting(NE=0, SE=1)
+    array([1])
     """
 
     def __init__(
@@ -104,7 +124,7 @@ class TileSet:
 
     @property
     def slots(self) -> Slots:
-        """Colors of every tile, shape (T, S), read-only; uint8, or uint16 for more than 256 colors."""
+        """Colors of every tile: shape (T, S), read-only; uint8, or uint16 for more than 256 colors."""
         return self._slots
 
     def __len__(self) -> int:
@@ -115,7 +135,7 @@ class TileSet:
 
     @property
     def codes(self) -> NDArray[np.int64]:
-        """Mixed-radix number of each tile's colors, shape (T,)."""
+        """Mixed-radix number of each tile's colors: int64, shape (T,)."""
         return encode(self.slots, self.colors)
 
     @property
@@ -124,11 +144,47 @@ class TileSet:
         return len(self) == prod(self.colors)
 
     def slots_of(self, index: ArrayLike) -> Slots:
-        """Colors of the tiles with the given indices, along a new last axis."""
+        """Look up the colors of tiles.
+
+        Parameters
+        ----------
+        index : array-like of int, any shape
+            Indices of tiles, 0 to T - 1.
+
+        Returns
+        -------
+        uint8 or uint16 array, shape (..., S)
+            Their colors, along a new last axis.
+
+        Raises
+        ------
+        TilewrightTypeError
+            The indices are not integers.
+        TilewrightValueError
+            An index is out of range.
+        """
         return self.slots[self._check_index(index)]
 
     def find(self, slots: ArrayLike) -> NDArray[np.int64]:
-        """Indices of the tiles with the given colors, shape (..., S); -1 where the set has no such tile."""
+        """Look up tiles by their colors.
+
+        Parameters
+        ----------
+        slots : array-like of int, shape (..., S)
+            Colors of all slots of a tile along the last axis, in the order of the shape.
+
+        Returns
+        -------
+        int64 array, shape (...)
+            Indices of the tiles with these colors; -1 where the set has no such tile.
+
+        Raises
+        ------
+        TilewrightTypeError
+            The colors are not integers.
+        TilewrightValueError
+            The last axis is not as long as a tile has slots.
+        """
         asked = as_slots(slots, len(self.colors))
         codes = self.codes
         order = np.argsort(codes)
@@ -147,7 +203,25 @@ class TileSet:
         return asked.astype(np.int64)
 
     def fitting(self, **known: int) -> NDArray[np.int64]:
-        """Indices of the tiles whose slots carry the given colors, as in ``fitting(N=0, W=1)``."""
+        """List the tiles of which some slots carry given colors.
+
+        Parameters
+        ----------
+        **known : int
+            A color for each slot that is known, as in ``fitting(N=0, W=1)``.
+
+        Returns
+        -------
+        int64 array, shape (n,)
+            Indices of all tiles with these colors, in ascending order.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A color is not an integer.
+        TilewrightValueError
+            The tiles have no such slot, or a color is out of its range.
+        """
         slots = self.slots
         keep = np.ones(len(slots), bool)
         for slot, color in known.items():
@@ -206,7 +280,31 @@ def slot_type(colors: tuple[int, ...]) -> type[np.unsignedinteger[Any]]:
 
 
 def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
-    """Mixed-radix number of the colors along the last axis (Lagae 2007, eq. 2.2 and 2.5)."""
+    """Number the colors of tiles: the mixed-radix number along the last axis.
+
+    Parameters
+    ----------
+    slots : array-like of int, shape (..., S)
+        Colors of each slot, the most significant first.
+    colors : tuple of int
+        Number of colors of each slot, S of them, 1 to 2^15; their product is at most 2^62.
+
+    Returns
+    -------
+    int64 array, shape (...)
+        Codes, from 0 to the product of ``colors`` less one.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The colors are not integers, or ``colors`` is not a tuple of integers.
+    TilewrightValueError
+        A color is out of range, or the last axis is not S long.
+
+    Notes
+    -----
+    Lagae 2007, section 2.7, eq. 2.2 and 2.5.
+    """
     colors = check_palette(colors)
     table = as_slots(slots, len(colors))
     if ((table < 0) | (table >= np.array(colors))).any():
@@ -218,7 +316,31 @@ def encode(slots: ArrayLike, colors: tuple[int, ...]) -> NDArray[np.int64]:
 
 
 def decode(codes: ArrayLike, colors: tuple[int, ...]) -> Slots:
-    """Colors of each slot along a new last axis (Lagae 2007, eq. 2.4 and 2.7)."""
+    """Give the colors of tiles from their codes: the inverse of `encode`.
+
+    Parameters
+    ----------
+    codes : array-like of int, any shape
+        Codes, from 0 to the product of ``colors`` less one.
+    colors : tuple of int
+        Number of colors of each slot, S of them, 1 to 2^15; their product is at most 2^62.
+
+    Returns
+    -------
+    uint8 or uint16 array, shape (..., S)
+        Colors of each slot along a new last axis; uint16 where a slot has more than 256 colors.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The codes are not integers, or ``colors`` is not a tuple of integers.
+    TilewrightValueError
+        A code is out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 2.7, eq. 2.4 and 2.7.
+    """
     rest = as_integers("codes", codes)
     colors = check_palette(colors)
     most = prod(int(c) for c in colors)

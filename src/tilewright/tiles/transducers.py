@@ -27,19 +27,27 @@ Numbers = NDArray[np.int64]
 
 @dataclass(frozen=True)
 class Transducer:
-    """Columns of tiles, one or more rows high, as transitions between states.
+    """Columns of tiles, one or more rows high, as transitions between states; `strip` makes them.
 
-    For fillings: a rectangle as high as the columns is a path, each column's ``target`` the ``source`` of
-    the next; it fits below another where that one writes what it reads. `strip` makes them of any height.
+    A rectangle as high as the columns is a path: each column's ``target`` is the ``source`` of the next. It
+    fits below another rectangle where that one writes what it reads.
 
     Attributes
     ----------
     columns : int32 array, shape (M, rows)
         Tiles of each transition, north to south.
-    source, target : int64 array, shape (M,)
-        States at the W side and at the E side, numbered from 0 on.
-    read, write : int64 array, shape (M,)
-        Color of the north edge of the first tile, of the south edge of the last.
+    source : int64 array, shape (M,)
+        States at the W side, numbered from 0 on.
+    target : int64 array, shape (M,)
+        States at the E side.
+    read : int64 array, shape (M,)
+        Color of the north edge of the first tile.
+    write : int64 array, shape (M,)
+        Color of the south edge of the last tile.
+
+    Notes
+    -----
+    Kari 1996 and Jeandel & Rao 2015, who read from south to north.
     """
 
     columns: NDArray[np.int32]
@@ -53,11 +61,21 @@ class Transducer:
 
     @property
     def states(self) -> int:
-        """How many states there are."""
+        """Number of states."""
         return int(max(self.source.max(initial=-1), self.target.max(initial=-1))) + 1
 
     def compose(self, below: "Transducer") -> "Transducer":
-        """These rows with those of another transducer below them, which reads what this one writes.
+        """Put the rows of another transducer below these rows.
+
+        Parameters
+        ----------
+        below : Transducer
+            It reads what this one writes.
+
+        Returns
+        -------
+        Transducer
+            As many rows as both have together.
 
         Raises
         ------
@@ -79,7 +97,13 @@ class Transducer:
         )
 
     def trim(self) -> "Transducer":
-        """Without transitions that lie on no path that is endless both ways."""
+        """Leave out transitions that lie on no path that is endless both ways.
+
+        Returns
+        -------
+        Transducer
+            The rest, its states numbered anew.
+        """
         kept = self
         while True:
             endless = np.isin(kept.source, kept.target) & np.isin(kept.target, kept.source)
@@ -88,10 +112,19 @@ class Transducer:
             kept = kept.only(endless)
 
     def strong(self) -> "Transducer":
-        """Without transitions that lie on no cycle, as Jeandel & Rao 2015 do.
+        """Leave out transitions that lie on no cycle.
 
         It leaves fewer than `trim`. If the set tiles the plane it does so with these alone: far enough to the
         east every strip of rows stays in one strongly connected part.
+
+        Returns
+        -------
+        Transducer
+            The rest, its states numbered anew.
+
+        Notes
+        -----
+        Jeandel & Rao 2015 do the same.
         """
         from scipy.sparse.csgraph import connected_components
 
@@ -99,15 +132,29 @@ class Transducer:
         return self.only(part[self.source] == part[self.target])
 
     def only(self, kept: NDArray[Any]) -> "Transducer":
-        """Some of the transitions, by a mask or by indices."""
+        """Keep some of the transitions.
+
+        Parameters
+        ----------
+        kept : bool array, shape (M,), or int array
+            A mask, or indices.
+
+        Returns
+        -------
+        Transducer
+            These transitions, their states numbered anew.
+        """
         return _numbered(
             self.columns[kept], self.source[kept], self.target[kept], self.read[kept], self.write[kept]
         )
 
     def cycle(self) -> NDArray[np.int32] | None:
-        """Columns that follow each other in a ring, int32 (rows, width); None where there are none.
+        """Find columns that follow each other in a ring.
 
-        It is the shortest ring through one of the states.
+        Returns
+        -------
+        int32 array, shape (rows, width), or None
+            The columns of the shortest ring through one of the states; None where there are no rings.
         """
         from scipy.sparse.csgraph import breadth_first_order
 
@@ -134,24 +181,31 @@ class Transducer:
 
 
 def strip(tiles: TileSet, rows: int = 1) -> Transducer:
-    """All columns of ``rows`` tiles that lie in strips without end, as a transducer.
+    """List all columns of tiles that lie in strips without end, as a transducer.
 
     Parameters
     ----------
     tiles : TileSet
         Wang tiles, or corner tiles, taken as the Wang tiles with the same indices (`as_wang_tiles`).
-    rows : int
-        1 to 64.
+    rows : int, optional
+        Height of a strip in tiles, 1 to 64; default 1.
 
     Returns
     -------
     Transducer
-        Without states where no strip is endless.
+        It has no states where no strip is endless.
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a tile set, or a height that is not an integer.
     TilewrightValueError
-        There would be more than 4 million transitions.
+        There would be more than 4 million transitions, the height is out of range, or the tiles are of
+        another shape.
+
+    Notes
+    -----
+    Kari 1996; Jeandel & Rao 2015.
     """
     if check_tiles("tiles", tiles).shape is CORNER:
         tiles = as_wang_tiles(tiles)
@@ -165,24 +219,36 @@ def strip(tiles: TileSet, rows: int = 1) -> Transducer:
 
 
 def find_period(tiles: TileSet, rows: int) -> NDArray[np.int32] | None:
-    """A tiling that repeats after ``rows`` rows, and after some columns; or None, which proves there is none.
+    """Find a tiling that repeats after a number of rows, or prove that there is none.
 
     Parameters
     ----------
     tiles : TileSet
         Wang tiles or corner tiles.
     rows : int
-        1 to 64.
+        Rows after which the tiling repeats, 1 to 64.
 
     Returns
     -------
     int32 array, shape (rows, columns), or None
-        Tile indices for ``array_tiling(tiles, ..., torus=True)``.
+        Tile indices for ``array_tiling(tiles, ..., torus=True)``. None proves that no tiling repeats after
+        this number of rows.
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a tile set, or a number that is not an integer.
     TilewrightValueError
-        There are too many columns of so many rows to look at.
+        There are more than 4 million columns to look at, the number of rows is out of range, or the tiles are
+        of another shape.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.find_period(tw.aperiodic_tiles("lagae-44"), 3).shape
+    (3, 2)
+    >>> tw.find_period(tw.aperiodic_tiles("jeandel-rao-11-5"), 3) is None
+    True
     """
     high = strip(tiles, rows)
     return high.only(high.read == high.write).cycle()

@@ -20,11 +20,12 @@ Colors = NDArray[np.int64]
 
 
 def as_corner_tiles(wang: TileSet, construction: str) -> TileSet:
-    """A corner set made from a Wang set by one of the constructions of Lagae 2007, section 8.3.
+    """Make a corner set from a Wang set by one of five constructions.
 
     Parameters
     ----------
     wang : TileSet
+        Wang tiles.
     construction : str
         ``"diagonal"`` (8.3.1): a corner tile for every valid 2 x 2 block, colored by the tiles themselves.
         ``"horizontal"`` (8.3.2): one for every two tiles side by side, colored by their N and S edges.
@@ -40,15 +41,27 @@ def as_corner_tiles(wang: TileSet, construction: str) -> TileSet:
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a tile set.
     TilewrightValueError
         Different pairs give the same corner tile in a horizontal or vertical translation ("failed" in table
-        8.1), or no tiles fit together.
+        8.1), no tiles fit together, the tiles are not Wang tiles, or there is no such construction.
 
     Warns
     -----
     TilewrightWarning
         A horizontal or vertical translation is not sound (`translation_is_sound`): the corner set can have
         tilings that come from no Wang tiling.
+
+    Notes
+    -----
+    Lagae 2007, section 8.3; the numbers above are its subsections. `as_wang_tiles` is the way back (8.4).
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.as_corner_tiles(tw.aperiodic_tiles("jeandel-rao-11-5"), "rotation")
+    <TileSet jeandel-rao-11-5, rotation: 36 corner tiles, colors (9, 9, 9, 9)>
     """
     slots = wang_slots(wang)
     check_choice("construction", construction, CONSTRUCTIONS)
@@ -77,11 +90,10 @@ def as_corner_tiles(wang: TileSet, construction: str) -> TileSet:
 
 
 def translation_is_sound(wang: TileSet, construction: str) -> bool:
-    """Whether every tiling by the translated set comes from one tiling by the Wang set.
+    """Tell whether every tiling by the translated set comes from one tiling by the Wang set.
 
-    So it is where the N and S colors of a Wang tile determine the tile (horizontal translation), or its E
-    and W colors (vertical). Lagae 2007, section 8.3.2, asks less: that different pairs of tiles give
-    different corner tiles. Then two neighbors may take the Wang tile between them for different ones.
+    It does where the N and S colors of a Wang tile determine the tile (horizontal translation), or its E
+    and W colors (vertical).
 
     Parameters
     ----------
@@ -93,6 +105,19 @@ def translation_is_sound(wang: TileSet, construction: str) -> bool:
     Returns
     -------
     bool
+        Whether the translation is sound.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something that is not a tile set.
+    TilewrightValueError
+        The tiles are not Wang tiles, or there is no such translation.
+
+    Notes
+    -----
+    Lagae 2007, section 8.3.2, asks less: that different pairs of tiles give different corner tiles. Then two
+    neighbors may take the Wang tile between them for different ones.
     """
     slots = wang_slots(wang)
     check_choice("construction", construction, ("horizontal", "vertical"))

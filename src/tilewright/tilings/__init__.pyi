@@ -20,13 +20,7 @@ from .hashes import (
     LatticeHash as LatticeHash,
 )
 from .hashes import (
-    LongPeriodHash as LongPeriodHash,
-)
-from .hashes import (
     MixerHash as MixerHash,
-)
-from .hashes import (
-    PermutationHash as PermutationHash,
 )
 from .packings.closed_form import (
     Packing as Packing,
@@ -60,6 +54,12 @@ from .scanline_tiling import (
 )
 from .stochastic_tiling import (
     stochastic as stochastic,
+)
+from .table_hashes import (
+    LongPeriodHash as LongPeriodHash,
+)
+from .table_hashes import (
+    PermutationHash as PermutationHash,
 )
 from .tiling import (
     ArrayTiling as ArrayTiling,

@@ -18,7 +18,7 @@ Truth = NDArray[np.bool_]
 _CONFLICTS = 20_000
 """What the solver works through between two looks at the clock."""
 _FEW = 6
-"""Up to so many variables, at most one of them is written pair by pair."""
+"""Up to this number of variables, that at most one is true is written pair by pair."""
 
 
 class Undecided(TilewrightError, TimeoutError):

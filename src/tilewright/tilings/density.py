@@ -13,14 +13,27 @@ from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.algorithms import Lattice, Slots, corner_slots, evaluate
 from tilewright.tilings.direct_tiling import SlotTiling, recognize
 from tilewright.tilings.domain import Domain
-from tilewright.tilings.hashes import LatticeHash, as_grid, make_hash
+from tilewright.tilings.hashes import LatticeHash, as_grid
 from tilewright.tilings.streams import COLORS, DENSITY, SECOND
+from tilewright.tilings.table_hashes import make_hash
 
 Density = Callable[[NDArray[np.float64], NDArray[np.float64]], ArrayLike]
 
 
 class DensityTiling(SlotTiling):
-    """A tiling whose marked corners follow a density; made by `density_tiling`."""
+    """A tiling whose marked corners follow a density; made by `density_tiling`.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        The tiles.
+    hash : LatticeHash
+        Where chance comes from.
+    algorithm : str
+        The algorithm that goes with the tiles.
+    density : callable
+        ``f(x, y)`` of arrays of lattice points, the probability of a mark, 0 to 1.
+    """
 
     def __init__(self, tiles: TileSet, hash: LatticeHash, algorithm: str, density: Density) -> None:
         super().__init__(tiles, Domain.plane(None))
@@ -29,7 +42,7 @@ class DensityTiling(SlotTiling):
         self.density = density
 
     def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
-        """The slots of a window, with corner colors drawn from the marked or the unmarked half."""
+        """Give the colors of every slot of a window; corners draw from the marked or the unmarked half."""
         at = Lattice(self.tiles, self.hash, self.domain.periods, start, extent)
         columns, rows = at.points(0), at.points(1)
         marked = self.hash.numbers(DENSITY, *as_grid((columns, rows))) < self.marks(columns, rows) * 2.0**24
@@ -43,7 +56,25 @@ class DensityTiling(SlotTiling):
         return evaluate(self.algorithm.removeprefix("marked-"), at) + corners
 
     def marks(self, columns: NDArray[np.int64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
-        """The density at the lattice points of a grid, checked, shape (len(rows), len(columns))."""
+        """Evaluate the density at the lattice points of a grid.
+
+        Parameters
+        ----------
+        columns : int64 array, shape (w,)
+            x of the points.
+        rows : int64 array, shape (h,)
+            y of the points.
+
+        Returns
+        -------
+        float64 array, shape (h, w)
+            Probabilities of a mark, 0 to 1.
+
+        Raises
+        ------
+        TilewrightValueError
+            The function did not give one number from 0 to 1 for each point.
+        """
         x, y = np.meshgrid(columns.astype(float), rows.astype(float))
         given = self.density(x, y)
         try:
@@ -69,25 +100,52 @@ def density_tiling(
     outside: str = "clamp",
     hash: LatticeHash | str = "mixer",
 ) -> DensityTiling:
-    """An endless tiling whose corners are marked with the probability a map gives.
+    """Make an endless tiling whose corners are marked with the probability a map gives.
 
-    The upper half of the corner colors are the marked ones, as in two-source texture tiles (Cohen et al.
-    2003, section 3.5). Marks are fixed by the map, so every combination of them must be in the set.
+    The upper half of the corner colors are the marked ones, as in texture tiles of two sources. Marks are
+    fixed by the map, so every combination of them must be in the set.
 
     Parameters
     ----------
     tiles : TileSet
         A complete corner set over 2 colors or more, or a corner-coded set with all 16 marks (128 tiles over
         Cohen's 8).
-    density : function or 2D array
-        ``f(x, y)`` of lattice points (arrays of float) that returns the probability, 0 to 1; or a gray map,
-        shape (h, w) or (h, w, channels), whose colors are averaged and alpha ignored: floats 0 to 1, or
-        integers of their type's range. Pixel (0, 0) of a map covers the cells from (0, 0).
-    seed : int
-    cells_per_pixel : float
-        Size of a map's pixels in cells; values between pixel centers are interpolated.
-    outside : str
-        ``"clamp"`` repeats the map's border, ``"repeat"`` the map.
+    density : callable or array-like, shape (h, w) or (h, w, channels)
+        ``f(x, y)`` of lattice points (arrays of float) that returns the probability, 0 to 1. Or a gray map,
+        whose colors are averaged and alpha ignored: floats 0 to 1, or integers of their type's range. Pixel
+        (0, 0) of a map covers the cells from (0, 0).
+    seed : int, optional
+        Where chance begins, 0 to 2^64 - 1; default 0.
+    cells_per_pixel : float, optional
+        Size of a map's pixels in cells, 1e-6 to 1e9; default 1. Values between pixel centers are
+        interpolated.
+    outside : str, optional
+        ``"clamp"``, the default, repeats the map's border, ``"repeat"`` the map.
+    hash : str or LatticeHash, optional
+        As of `direct`; default ``"mixer"``.
+
+    Returns
+    -------
+    DensityTiling
+        A tiling of the plane.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The set is neither of these, the map holds values outside its range, or a number is out of range.
+
+    Notes
+    -----
+    Cohen et al. 2003, section 3.5.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiling = tw.density_tiling(tw.corner_tiles(2), lambda x, y: x > 0, seed=1)
+    >>> tiling.indices(-2, 0, 4, 1)
+    array([[ 0,  0, 12, 15]], dtype=int32)
     """
     algorithm = recognize(check_tiles("tiles", tiles))
     if not (

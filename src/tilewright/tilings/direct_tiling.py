@@ -29,7 +29,8 @@ from tilewright.tiles.cubes import RuledTileSet
 from tilewright.tiles.tileset import MOST_FAMILY_COLORS, check_tiles
 from tilewright.tilings.algorithms import Lattice, Slots, evaluate
 from tilewright.tilings.domain import Domain
-from tilewright.tilings.hashes import LatticeHash, MixerHash, make_hash, split_row
+from tilewright.tilings.hashes import LatticeHash, MixerHash, split_row
+from tilewright.tilings.table_hashes import make_hash
 from tilewright.tilings.tiling import Tiling
 
 _LARGEST_TABLE = 2**20
@@ -48,7 +49,20 @@ class SlotTiling(Tiling):
 
     @abstractmethod
     def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
-        """Colors of every slot of a window of tiles, one array like the window for each slot."""
+        """Give the colors of every slot of a window of tiles.
+
+        Parameters
+        ----------
+        start : tuple of int
+            The first cell, x first.
+        extent : tuple of int
+            Number of cells along each axis, x first.
+
+        Returns
+        -------
+        tuple of uint8 or uint16 array
+            An array like the window, its last axis along x, for each slot.
+        """
 
     def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:
         slots = self.slots(start, tuple(reversed(out.shape)))
@@ -65,7 +79,23 @@ class SlotTiling(Tiling):
 
 
 class DirectTiling(SlotTiling):
-    """A tiling evaluated cell by cell from a hash; made by `direct`."""
+    """A tiling evaluated cell by cell from a hash; made by `direct`.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        The tiles.
+    hash : LatticeHash
+        Where chance comes from.
+    domain : Domain
+        The plane, a cylinder or a torus.
+    algorithm : str
+        The algorithm that goes with the tiles, such as ``"corners"``.
+
+    Notes
+    -----
+    Lagae 2007, section 3.3; Lagae & Dutré 2006, section 4.2.
+    """
 
     def __init__(self, tiles: TileSet, hash: LatticeHash, domain: Domain, algorithm: str) -> None:
         super().__init__(tiles, domain)
@@ -73,7 +103,7 @@ class DirectTiling(SlotTiling):
         self.algorithm = algorithm
 
     def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
-        """Colors of every slot of a window of tiles, one array like the window for each slot."""
+        """Give the colors of every slot of a window of tiles, one array like the window for each slot."""
         return evaluate(self.algorithm, self._lattice(start, extent))
 
     def _lattice(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Lattice:
@@ -114,38 +144,56 @@ def direct(
     period: tuple[int | None, ...] | None = None,
     wang: str = "edge-hash",
 ) -> DirectTiling:
-    """A random tiling of the endless plane, evaluated anywhere.
+    """Make a random tiling of the endless plane, evaluated anywhere.
 
     Parameters
     ----------
     tiles : TileSet
-        Complete sets: corner tiles (Lagae & Dutré 2006, section 4.2, with y mirrored), Wang tiles, dominoes,
-        corner cubes, Wang cubes, corner-coded sets. Compact sets: `corner_tiles` with ``choices``,
-        `column_corner_tiles`, `summed_wang_tiles` (Lagae 2007, section 3.3.2.2), `shifted_wang_tiles`,
-        `compact_corner_cubes`, `compact_wang_cubes` where C is a power of two, corner-coded sets over any of
-        these Wang sets, Cohen's 8 tiles among them, and `crossed_wang_tiles`. Other sets have `scanline`.
-    seed : int
-        0 to 2^64 - 1; the tile of a cell depends on the cell and the seed only.
-    hash : str or LatticeHash
-        ``"mixer"`` (no period), ``"permutation"``, ``"long-period"``, or a hash object, which has its own
-        seed.
-    period : tuple of (int or None), x first, optional
-        Cells after which the tiling repeats along each axis, 1 to 2^31, for cylinders and tori. Sums of
-        corner colors (``"two-hashes"``, `summed_wang_tiles`) are bound by the ring they close, see
-        ``docs/tilings.md``.
-    wang : str
-        For complete Wang sets: ``"edge-hash"`` (one hash at the edges; Lagae 2007, section 3.3.2.3) or
-        ``"two-hashes"`` (sums of corner colors; section 3.3.2.1).
+        Complete sets: corner tiles, Wang tiles, dominoes, corner cubes, Wang cubes, corner-coded sets.
+        Compact sets: `corner_tiles` with ``choices``, `column_corner_tiles`, `summed_wang_tiles`,
+        `shifted_wang_tiles`, `compact_corner_cubes`, `compact_wang_cubes` where C is a power of two,
+        corner-coded sets over any of these Wang sets, Cohen's 8 tiles among them, and `crossed_wang_tiles`.
+        `scanline` takes other sets.
+    seed : int, optional
+        0 to 2^64 - 1; default 0. The tile of a cell depends on the cell and the seed only.
+    hash : str or LatticeHash, optional
+        ``"mixer"``, the default, which has no period; ``"permutation"``; ``"long-period"``; or a hash object,
+        which has its own seed.
+    period : tuple of (int or None), optional
+        Cells after which the tiling repeats along each axis, x first, 1 to 2^31, for cylinders and tori; by
+        default it does not. Sums of corner colors (``"two-hashes"``, `summed_wang_tiles`) are bound by the
+        ring they close, see ``docs/tilings.md``.
+    wang : str, optional
+        For complete Wang sets: ``"edge-hash"``, the default (one hash at the edges; Lagae 2007, section
+        3.3.2.3), or ``"two-hashes"`` (sums of corner colors; section 3.3.2.1).
 
     Returns
     -------
     DirectTiling
+        The tiling of the plane, a cylinder or a torus.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        No direct algorithm goes with the set, or a period closes the chains of a compact corner set after
-        too few steps.
+        No direct algorithm goes with the set, a period closes the chains of a compact corner set after too
+        few steps, there is no such hash, or a number is out of range.
+
+    Notes
+    -----
+    Lagae & Dutré 2006, section 4.2; Lagae 2007, section 3.3. Both let y grow up; here it grows south. Compact
+    corner sets are our own answer to the question of section 3.5, see ``docs/compact-direct.md``.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiling = tw.direct(tw.corner_tiles(2), seed=7)
+    >>> window = tiling.indices(-1, 10**15, 4, 2)
+    >>> window.shape, window.dtype
+    ((2, 4), dtype('int32'))
+    >>> (tiling.indices(0, 10**15, 1, 1) == window[0, 1]).item()
+    True
     """
     check_tiles("tiles", tiles)
     check_seed(seed)

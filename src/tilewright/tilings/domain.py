@@ -15,12 +15,15 @@ _MOST_CELLS = 2**31
 
 @dataclass(frozen=True)
 class Domain:
-    """The cells of a tiling along each axis, x first.
+    """The cells of a tiling along each axis, x first: an endless plane, a cylinder, a torus, a rectangle.
 
     Attributes
     ----------
-    periods : per axis, the number of cells after which it repeats, or None.
-    bounds : per axis, (first, last + 1) cell, or None where it is endless.
+    periods : tuple of (int or None)
+        For each axis the number of cells after which it repeats, or None where it does not. By default a
+        plane.
+    bounds : tuple of ((int, int) or None)
+        For each axis the first cell and one more than the last, or None where it is endless, the default.
     """
 
     periods: tuple[int | None, ...] = (None, None)
@@ -28,7 +31,27 @@ class Domain:
 
     @classmethod
     def plane(cls, period: tuple[int | None, ...] | None, dimension: int = 2) -> "Domain":
-        """Endless along every axis, repeating after ``period`` cells where that is given."""
+        """Make a domain that is endless along every axis, and may repeat.
+
+        Parameters
+        ----------
+        period : tuple of (int or None), or None
+            Number of cells after which each axis repeats, x first, 1 to 2^31.
+        dimension : int, optional
+            Number of axes; default 2.
+
+        Returns
+        -------
+        Domain
+            A plane, cylinder or torus.
+
+        Raises
+        ------
+        TilewrightTypeError
+            The period is not a tuple of integers.
+        TilewrightValueError
+            It has another number of entries, or one out of range.
+        """
         if period is not None and not isinstance(period, (tuple, list)):
             raise type_error("period", period, f"a tuple of {dimension} numbers or None")
         given = (None,) * dimension if period is None else tuple(period)
@@ -44,14 +67,29 @@ class Domain:
 
     @property
     def kind(self) -> str:
-        """``plane``, ``cylinder``, ``torus`` or ``rectangle``, as far as the axes tell."""
+        """``"plane"``, ``"cylinder"``, ``"torus"`` or ``"rectangle"``, as far as the axes tell."""
         if any(b is not None for b in self.bounds):
             return "rectangle"
         wrapped = sum(p is not None for p in self.periods)
         return "plane" if wrapped == 0 else "torus" if wrapped == len(self.periods) else "cylinder"
 
     def check_window(self, start: tuple[int, ...], extent: tuple[int, ...]) -> None:
-        """Raise unless a window of cells lies in the domain and is of a size that can be held."""
+        """Refuse a window of cells that lies outside the domain or is too large to hold.
+
+        Parameters
+        ----------
+        start : tuple of int
+            The first cell, x first, within +-2^61.
+        extent : tuple of int
+            Number of cells along each axis, x first; 2^31 in all at most.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number is not an integer.
+        TilewrightValueError
+            The window is too large, or not inside.
+        """
         axes = "xyz"
         for axis, (first, count) in enumerate(zip(start, extent, strict=True)):
             size = ("width", "height", "depth")[axis]
@@ -70,7 +108,22 @@ class Domain:
             )
 
     def wrap(self, axis: int, first: int, count: int) -> NDArray[np.int64]:
-        """``count`` cell or lattice coordinates from ``first`` on, folded into the period."""
+        """Fold coordinates into the period of an axis.
+
+        Parameters
+        ----------
+        axis : int
+            0 for x, 1 for y, 2 for z.
+        first : int
+            The first coordinate, of a cell or a lattice point.
+        count : int
+            Number of coordinates.
+
+        Returns
+        -------
+        int64 array, shape (count,)
+            The coordinates from ``first`` on, modulo the period where there is one.
+        """
         return fold(first, count, self.periods[axis])
 
 

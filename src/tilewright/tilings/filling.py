@@ -27,7 +27,7 @@ def filled_tiling(
     seconds: float | None = None,
     progress: Progress | None = None,
 ) -> ArrayTiling:
-    """Tile a rectangle or a torus with any set of square tiles, by a SAT solver.
+    """Tile a rectangle or a torus with any set of square tiles, by a SAT solver; or prove that it cannot.
 
     Unlike `scanline` this goes back where tiles placed before leave no tile for a cell. It is made for sets
     that can hardly tile, among them aperiodic ones; `aperiodic_tiling` has endless tilings by those known.
@@ -36,28 +36,45 @@ def filled_tiling(
     ----------
     tiles : TileSet
         Wang tiles, corner tiles or corner-coded ones.
-    width, height : int
-        Cells, 1 to 4096 each; together with the number of tiles up to 2^25.
-    torus : bool
-        Whether opposite sides must match too.
+    width : int
+        Cells along x, 1 to 4096; width, height and the number of tiles multiply to 2^25 at most.
+    height : int
+        Cells along y, 1 to 4096.
+    torus : bool, optional
+        Whether opposite sides must match too; default False.
     fixed : array-like of int, shape (height, width), optional
-        Tiles that are given; -1 where a cell is free.
-    seed : int
-        Different seeds find different tilings.
+        Tiles that are given, -1 where a cell is free; by default all are free.
+    seed : int, optional
+        0 to 2^64 - 1; default 0. Different seeds find different tilings.
     seconds : float, optional
-        After about so long, give up.
+        After about this time, in seconds, give up, 0 to 10^9; by default never.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     ArrayTiling
+        The rectangle, from cell (0, 0) on, or the torus.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        It is proven that there is no such tiling.
+        It is proven that there is no such tiling; or the tiles are not square, or a number is out of range.
     Undecided
         The time was up.
+
+    Notes
+    -----
+    Our own, not from the papers; Lagae 2007, section 2.4, introduces the question.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiling = tw.filled_tiling(tw.aperiodic_tiles("jeandel-rao-11-5"), 8, 8, seed=1)
+    >>> tiling.indices(0, 0, 8, 8).shape
+    (8, 8)
     """
     check_square(tiles)
     check_seed(seed)

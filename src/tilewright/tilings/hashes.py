@@ -1,14 +1,12 @@
 """Hash functions on the integer lattice: a color for every lattice point, without storing any."""
 
 from abc import ABC, abstractmethod
-from math import lcm
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, check_int, type_error
-from tilewright.errors import TilewrightValueError
+from tilewright.checks import as_integers, check_int
 from tilewright.seeds import check_seed
 from tilewright.tiles.tileset import MOST_COLORS, slot_type
 from tilewright.tilings.streams import COLORS, digits_of
@@ -23,9 +21,20 @@ _WORD = 2**32
 
 
 class LatticeHash(ABC):
-    """Colors of lattice points of 1 to 3 dimensions.
+    """Colors of lattice points of 1 to 3 dimensions, without storing any.
 
     A hash has any number of independent *streams*: two hash functions of one tiling are two streams.
+
+    Attributes
+    ----------
+    name : str
+        How messages and files call this kind of hash.
+    period : int or None
+        Lattice points along each axis after which it repeats; None where it does not.
+
+    Notes
+    -----
+    Lagae 2007, section 3.4.
     """
 
     name: str
@@ -36,29 +45,90 @@ class LatticeHash(ABC):
     def words(
         self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
     ) -> NDArray[np.int64]:
-        """Hash values at lattice points, 0 up to `range`; the coordinates given are broadcast."""
+        """Hash lattice points.
+
+        Parameters
+        ----------
+        stream : int
+            Which of the independent hashes, 0 to 2^32 - 1.
+        x : array-like of int
+            Coordinates, within 64 bits; all that are given are broadcast.
+        y : array-like of int, optional
+            Coordinates; by default 0.
+        z : array-like of int, optional
+            Coordinates; by default 0.
+
+        Returns
+        -------
+        int64 array, shape of the coordinates
+            Hash values, from 0 up to `range`.
+        """
 
     @property
     @abstractmethod
     def range(self) -> int:
-        """How many values `words` takes."""
+        """Number of values that `words` takes."""
 
     def colors(self, count: int, stream: int, *point: ArrayLike) -> Colors:
-        """Colors 0 up to ``count`` at lattice points x (, y, z); the coordinates are broadcast.
+        """Give the colors of lattice points.
 
-        They are uint8, or uint16 for more than 256 colors: the word modulo ``count`` where that divides
-        `range` (Lagae 2007, section 3.4.2.4), else a number from several words, so that all colors are alike.
+        Parameters
+        ----------
+        count : int
+            Number of colors, 1 to 2^15.
+        stream : int
+            Which of the independent hashes, 0 to 2^32 - 1.
+        *point : array-like of int
+            Coordinates x (, y, z), within 64 bits; they are broadcast.
+
+        Returns
+        -------
+        uint8 or uint16 array, shape of the coordinates
+            Colors, from 0 up to ``count``; uint16 for more than 256.
+
+        Notes
+        -----
+        The word modulo ``count`` where that divides `range` (Lagae 2007, section 3.4.2.4), else a number from
+        several words, so that all colors are equally likely.
         """
         if self.range % count_colors(count) == 0:
             return (self.words(stream, *point) % count).astype(slot_type((count,)))
         return ((self.numbers(stream, *point) * count) >> 24).astype(slot_type((count,)))
 
     def grid(self, count: int, stream: int, *axes: Coordinates) -> Colors:
-        """Colors of the grid of columns x (, rows y, layers z), shape (len(x),) to (z, y, x)."""
+        """Give the colors of a grid of lattice points.
+
+        Parameters
+        ----------
+        count : int
+            Number of colors, 1 to 2^15.
+        stream : int
+            Which of the independent hashes, 0 to 2^32 - 1.
+        *axes : int64 array
+            Columns x (, rows y, layers z), one array for each axis.
+
+        Returns
+        -------
+        uint8 or uint16 array, shape (len(x),), (len(y), len(x)) or (len(z), len(y), len(x))
+            Colors, from 0 up to ``count``.
+        """
         return self.colors(count, stream, *as_grid(axes))
 
     def numbers(self, stream: int, *point: ArrayLike) -> NDArray[np.int64]:
-        """Numbers 0 up to 2^24 at lattice points: several values in one where a hash has few."""
+        """Give numbers of 24 bits at lattice points: several values in one where a hash has few.
+
+        Parameters
+        ----------
+        stream : int
+            Which of the independent hashes, 0 to 2^32 - 1.
+        *point : array-like of int
+            Coordinates x (, y, z), within 64 bits; they are broadcast.
+
+        Returns
+        -------
+        int64 array, shape of the coordinates
+            Numbers, from 0 up to 2^24.
+        """
         digits = 1
         while self.range**digits < 2**24:
             digits += 1
@@ -69,10 +139,31 @@ class LatticeHash(ABC):
 
 
 class MixerHash(LatticeHash):
-    """The default: a table-free mixer made of 32-bit operations, alike in Python, GLSL and WGSL.
+    """The default hash: a mixer without tables, made of 32-bit operations, alike in Python, GLSL and WGSL.
 
     It has no period: every cell within 64-bit coordinates and every 64-bit seed is hashed on its own.
-    Its definition is in ``docs/hashes.md``.
+
+    Parameters
+    ----------
+    seed : int, optional
+        Where chance begins, 0 to 2^64 - 1; default 0.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The seed is not an integer.
+    TilewrightValueError
+        It is out of range.
+
+    Notes
+    -----
+    Our own, not from the papers; ``docs/hashes.md`` defines it.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.MixerHash(7).colors(4, 0, [-1, 0, 1], 10**12).tolist()
+    [0, 1, 1]
     """
 
     name = "mixer"
@@ -83,12 +174,25 @@ class MixerHash(LatticeHash):
 
     @property
     def range(self) -> int:
+        """Number of values that `words` takes: 2^32."""
         return 2**32
 
     def start(self, x_high: int, y_high: int, stream: int = COLORS) -> tuple[int, int]:
-        """The state (a, b) after everything but the low words of y and x, at z = 0: what shaders start with.
+        """Give the state that shaders start with: after everything but the low words of y and x, at z = 0.
 
-        ``x_high`` and ``y_high`` are the high words of the coordinates, modulo 2^32.
+        Parameters
+        ----------
+        x_high : int
+            High word of x, modulo 2^32.
+        y_high : int
+            High word of y, modulo 2^32.
+        stream : int, optional
+            Which of the independent hashes, 0 to 2^32 - 1; default 0.
+
+        Returns
+        -------
+        tuple of (int, int)
+            The state (a, b), two words of 32 bits.
         """
         a, b = _START
         seed = int(self.seed)
@@ -100,6 +204,7 @@ class MixerHash(LatticeHash):
     def words(
         self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
     ) -> NDArray[np.int64]:
+        """Hash lattice points, from 0 up to 2^32; see `LatticeHash.words`."""
         from tilewright.kernels.lattice import fill_words
 
         points = np.broadcast_arrays(*check_point(stream, x, y, z))
@@ -108,10 +213,12 @@ class MixerHash(LatticeHash):
         return out.astype(np.int64).reshape(points[0].shape)
 
     def colors(self, count: int, stream: int, *point: ArrayLike) -> Colors:
+        """Give the colors of lattice points, by the upper 24 bits of words; see `LatticeHash.colors`."""
         numbers = self.words(stream, *point) >> 8
         return ((numbers * count_colors(count)) >> 24).astype(slot_type((count,)))
 
     def grid(self, count: int, stream: int, *axes: Coordinates) -> Colors:
+        """Give the colors of a grid of lattice points, in compiled loops; see `LatticeHash.grid`."""
         from tilewright.kernels.lattice import fill_colors
 
         if count > 256:  # the kernel counts in bytes
@@ -125,6 +232,7 @@ class MixerHash(LatticeHash):
         return out.reshape(tuple(len(axis) for axis in reversed(axes)))
 
     def numbers(self, stream: int, *point: ArrayLike) -> NDArray[np.int64]:
+        """Give the upper 24 bits of the words of lattice points; see `LatticeHash.numbers`."""
         return self.words(stream, *point) >> 8
 
 
@@ -161,137 +269,3 @@ def split_row(x: Coordinates) -> tuple[NDArray[np.uint32], NDArray[np.int64], ND
 def as_grid(axes: tuple[Coordinates, ...]) -> tuple[Coordinates, ...]:
     """Coordinates along x (, y, z), shaped so that they broadcast to an array (z, y, x)."""
     return tuple(np.expand_dims(axis, tuple(range(1, n + 1))) for n, axis in enumerate(axes))
-
-
-class PermutationHash(LatticeHash):
-    """A permutation table looked up once for each coordinate (Lagae 2007, eq. 3.1 to 3.4).
-
-    Parameters
-    ----------
-    seed : int
-        Shuffles the table, by the order of the mixer's words: alike on every machine. Every stream has a
-        table of its own.
-    size : int
-        Entries of the table, 2 to 65,536: the period along every axis, and the range.
-    nested : bool
-        One table, looked up with what the coordinates before gave (eq. 3.3 and 3.4), as is usual; or a
-        table for each axis and the sum of what they give (eq. 3.2), in which a row differs from the next
-        only by a constant.
-    """
-
-    name = "permutation"
-
-    def __init__(self, seed: int = 0, size: int = 256, *, nested: bool = True) -> None:
-        self.seed = check_seed(seed)
-        self.size = check_int("size", size, 2, 65536)
-        self.nested = nested
-        self._tables: dict[tuple[int, int], NDArray[np.int64]] = {}
-
-    @property
-    def range(self) -> int:
-        return self.size
-
-    @property
-    def period(self) -> int:  # type: ignore[override]
-        """The table's size."""
-        return self.size
-
-    def table(self, stream: int, axis: int = 0) -> NDArray[np.int64]:
-        """The permutation of a stream; of an axis, 0 for x, where each has its own."""
-        if (stream, axis) not in self._tables:
-            words = MixerHash(self.seed).words(stream, np.arange(self.size), self.size, axis)
-            self._tables[stream, axis] = np.argsort(words, kind="stable")
-        return self._tables[stream, axis]
-
-    def words(
-        self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
-    ) -> NDArray[np.int64]:
-        first, *others = check_point(stream, x, y, z)[: 1 + (y is not None) + (z is not None)]
-        table, n = self.table(stream), self.size
-        value = table[first % n]
-        for axis, coordinate in enumerate(others, 1):
-            if self.nested:
-                value = table[(value + coordinate % n) % n]
-            else:
-                value = (value + self.table(stream, axis)[coordinate % n]) % n
-        return value
-
-
-class LongPeriodHash(LatticeHash):
-    """The sum of several permutation-table hashes (Lagae 2007, eq. 3.5 to 3.7).
-
-    Parameters
-    ----------
-    seed : int
-    sizes : sequence of int
-        Table sizes, all different; the period is their least common multiple.
-    range : int
-        The final divisor N_j, one of the sizes.
-    """
-
-    name = "long-period"
-
-    def __init__(
-        self, seed: int = 0, sizes: tuple[int, ...] = (17, 19, 23, 24, 29, 31, 37), range: int = 24
-    ) -> None:
-        if not sizes:
-            raise TilewrightValueError(
-                "is empty; a long-period hash needs at least one table", argument="sizes"
-            )
-        if len(set(sizes)) < len(sizes):
-            raise TilewrightValueError(
-                f"is {tuple(sizes)}; a size given twice does not lengthen the period",
-                argument="sizes",
-                value=sizes,
-            )
-        if range not in sizes:
-            raise TilewrightValueError(
-                f"is {range}; it must be one of the sizes {tuple(sizes)}",
-                argument="range",
-                value=range,
-                allowed=f"one of the sizes {tuple(sizes)}",
-            )
-        self.parts = tuple(PermutationHash(seed, size) for size in sizes)
-        self._range = range
-
-    @classmethod
-    def for_tilings(cls, seed: int = 0) -> "LongPeriodHash":
-        """The thesis's design for 2, 3, 4, 6 or 8 colors: period 5,930,659,848 (section 3.4.3)."""
-        return cls(seed)
-
-    @classmethod
-    def for_noise(cls, seed: int = 0) -> "LongPeriodHash":
-        """The thesis's design for Perlin noise: range 16, period 739,024 (section 3.4.4)."""
-        return cls(seed, (11, 13, 16, 17, 19), 16)
-
-    @property
-    def range(self) -> int:
-        return self._range
-
-    @property
-    def period(self) -> int:  # type: ignore[override]
-        """Least common multiple of the table sizes."""
-        return lcm(*(part.size for part in self.parts))
-
-    def words(
-        self, stream: int, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None
-    ) -> NDArray[np.int64]:
-        words = [part.words(stream, x, y, z) for part in self.parts]
-        return sum(words[1:], words[0]) % self._range
-
-
-def make_hash(given: LatticeHash | str, seed: int) -> LatticeHash:
-    """A hash by name (``"mixer"``, ``"permutation"``, ``"long-period"``), or one given as it is."""
-    if isinstance(given, LatticeHash):
-        return given
-    kinds = {"mixer": MixerHash, "permutation": PermutationHash, "long-period": LongPeriodHash}
-    if not isinstance(given, str):
-        raise type_error("hash", given, "a name or a LatticeHash")
-    if given not in kinds:
-        raise TilewrightValueError(
-            f"is {given!r}; allowed are {', '.join(kinds)}",
-            argument="hash",
-            value=given,
-            allowed=f"{', '.join(kinds)}",
-        )
-    return kinds[given](seed)  # type: ignore[no-any-return]

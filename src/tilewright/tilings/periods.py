@@ -22,19 +22,22 @@ def periodic_tiling(
     seconds: float | None = None,
     progress: Progress | None = None,
 ) -> ArrayTiling | None:
-    """The smallest torus that a set tiles, up to a size.
+    """Find the smallest torus that a set tiles, or prove that it tiles none up to a size.
 
     Parameters
     ----------
     tiles : TileSet
         Wang tiles, corner tiles or corner-coded ones.
-    width, height : int
-        The largest torus that is tried, 1 to 64 each.
-    seed : int
-        Which of its tilings, where there are several.
+    width : int
+        Cells along x of the largest torus that is tried, 1 to 64.
+    height : int
+        Cells along y of the largest torus that is tried, 1 to 64.
+    seed : int, optional
+        Which of its tilings, where there are several, 0 to 2^64 - 1; default 0.
     seconds : float, optional
-        After about so long in all, give up.
+        After about this time in all, in seconds, give up, 0 to 10^9; by default never.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
@@ -45,8 +48,22 @@ def periodic_tiling(
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The tiles are not square, or a number is out of range.
     Undecided
         The time was up; the message says which sizes are left.
+
+    Notes
+    -----
+    Our own; Lagae 2007, section 2.2, defines periods.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.periodic_tiling(tw.aperiodic_tiles("lagae-44"), 3, 3).domain.periods
+    (2, 3)
     """
     check_square(tiles)
     check_seed(seed)

@@ -21,28 +21,46 @@ _MOST_CELLS = 2**31
 def scanline(tiles: TileSet, width: int, height: int = 1, seed: int = 0, *, depth: int = 1) -> ArrayTiling:
     """Tile a rectangle from west to east and from north to south; a block of cubes from top to bottom too.
 
-    Each tile is chosen at random among those whose slots agree with the neighbors already placed to the
-    west, to the north (and above): N and W edges for Wang tiles (Cohen et al. 2003, section 2; Lagae 2007,
-    3.2.1), NE, NW and SW corners for corner tiles (Lagae & Dutré 2006, 4.1; Lagae 2007, 3.2.2), and both
+    Each tile is chosen at random among those whose slots agree with the neighbors already placed to the west,
+    to the north (and above): N and W edges for Wang tiles, NE, NW and SW corners for corner tiles, and both
     for tiles with both.
 
     Parameters
     ----------
     tiles : TileSet
         At most 2^20 tiles.
-    width, height, depth : int
-        Cells, 1 to 65,536 each, 2^31 in all. Dominoes have height 1, and all but cubes have depth 1.
-    seed : int
-        0 to 2^64 - 1. A larger rectangle continues a smaller one of the same seed.
+    width : int
+        Cells along x, 1 to 65,536; 2^31 cells in all at most.
+    height : int, optional
+        Cells along y, 1 to 65,536, of dominoes 1; default 1.
+    seed : int, optional
+        0 to 2^64 - 1; default 0. A larger rectangle continues a smaller one of the same seed.
+    depth : int, optional
+        Cells along z, 1 to 65,536, of all but cubes 1; default 1.
 
     Returns
     -------
     ArrayTiling
+        The rectangle, from cell (0, 0) on.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        No tile fits at some cell: the message names the cell and the colors that were asked for.
+        No tile fits at some cell: the message names the cell and the colors that were asked for. Or there are
+        too many cells or tiles, or a number is out of range.
+
+    Notes
+    -----
+    Cohen et al. 2003, section 2; Lagae 2007, sections 3.2.1 and 3.2.2; Lagae & Dutré 2006, section 4.1.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiling = tw.scanline(tw.cohen_tiles(8), 6, 4, seed=2)
+    >>> tiling.indices(0, 0, 6, 4).shape
+    (4, 6)
     """
     dimension = check_tiles("tiles", tiles).shape.dimension
     named = (("width", width), ("height", height), ("depth", depth))

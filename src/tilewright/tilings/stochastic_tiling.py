@@ -8,21 +8,42 @@ from tilewright.tilings.tiling import Tiling
 
 
 def stochastic(tiles: TileSet, width: int, height: int = 1, seed: int = 0) -> Tiling:
-    """The `direct` tiling of a set that has one, which is endless; else a `scanline` tiling.
+    """Make a random tiling of any set: direct and endless where that is known, by scanline elsewhere.
 
     Parameters
     ----------
     tiles : TileSet
         Square tiles or dominoes.
-    width, height : int
-        Cells from (0, 0) on that a scanline tiling must cover.
-    seed : int
-        0 to 2^64 - 1.
+    width : int
+        Cells along x, from 0 on, that a scanline tiling must cover, 1 to 65,536.
+    height : int, optional
+        Cells along y, from 0 on, that a scanline tiling must cover, 1 to 65,536; default 1.
+    seed : int, optional
+        Where chance begins, 0 to 2^64 - 1; default 0.
+
+    Returns
+    -------
+    Tiling
+        What `direct` makes of the set, or `scanline`.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        As `scanline` does.
+        What `scanline` refuses.
+
+    Notes
+    -----
+    Lagae 2007, section 3.2.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.stochastic(tw.corner_tiles(2), 8, 8).domain.kind
+    'plane'
+    >>> tw.stochastic(tw.compact_wang_tiles(3), 8, 8).domain.kind
+    'rectangle'
     """
     known = recognize(check_tiles("tiles", tiles)) is not None
     return direct(tiles, seed) if known else scanline(tiles, width, height, seed)

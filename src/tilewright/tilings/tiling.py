@@ -16,31 +16,42 @@ _MOST_TILES = 2**31
 
 
 class Tiling(ABC):
-    """A tile for every cell of a domain.
+    """A tile for every cell of a domain: what every tiling answers.
 
     Attributes
     ----------
     tiles : TileSet
+        The tiles it is made of.
     domain : Domain
+        The cells that have a tile.
     """
 
     tiles: TileSet
     domain: Domain
 
     def indices(self, *window: int, out: NDArray[np.int32] | None = None) -> NDArray[np.int32]:
-        """Tile indices of a window of cells, equal to the same cells of any other window.
+        """Give the tile indices of a window of cells, equal to the same cells of any other window.
 
         Parameters
         ----------
         *window : int
             ``x, y, width, height`` for square tiles; ``x, width`` for dominoes; ``x, y, z, width, height,
-            depth`` for cubes. Cells are within +-2^61.
+            depth`` for cubes. Cells are within +-2^61; a window has 2^31 of them at most.
         out : int32 array, shape (height, width), optional
-            Filled and returned.
+            Filled and returned; by default a new array.
 
         Returns
         -------
-        int32 array, shape (height, width); (width,) for dominoes, (depth, height, width) for cubes.
+        int32 array, shape (height, width)
+            Indices into ``tiles``; the shape is (width,) for dominoes and (depth, height, width) for cubes.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A wrong number of arguments, one that is not an integer, or an ``out`` that is not an array.
+        TilewrightValueError
+            The window is too large or not in the domain, ``out`` is of another shape or type, or the set has
+            more than 2^31 tiles.
         """
         dimension = self.tiles.shape.dimension
         if len(window) != 2 * dimension:
@@ -83,14 +94,24 @@ class ArrayTiling(Tiling):
     Parameters
     ----------
     tiles : TileSet
-    indices : array-like of int, shape (height, width); (width,) or (depth, height, width)
-    torus : bool
-        Whether the tiling goes on periodically in every direction.
+        The tiles.
+    indices : array-like of int, shape (height, width)
+        The tile of each cell; shape (width,) for dominoes, (depth, height, width) for cubes.
+    torus : bool, optional
+        Whether the tiling goes on periodically in every direction; default False.
+
+    Attributes
+    ----------
+    cells : int32 array
+        The tile of each cell, read-only.
 
     Raises
     ------
+    TilewrightTypeError
+        The indices are not integers.
     TilewrightValueError
-        An index out of range, or two neighboring tiles that do not match; the message names the first.
+        An index is out of range, the array has a wrong number of axes, or two neighboring tiles do not match;
+        the message names the first.
     """
 
     def __init__(self, tiles: TileSet, indices: ArrayLike, *, torus: bool = False) -> None:
@@ -126,7 +147,22 @@ class ArrayTiling(Tiling):
 
 
 def first_mismatch(tiles: TileSet, cells: NDArray[Any], *, torus: bool) -> str | None:
-    """What is wrong at the first cell, in the order of the array, that does not match a neighbor, or None."""
+    """Tell what is wrong at the first cell that does not match a neighbor.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        The tiles.
+    cells : int array, shape (height, width)
+        The tile of each cell; shape (width,) for dominoes, (depth, height, width) for cubes.
+    torus : bool
+        Whether opposite sides meet.
+
+    Returns
+    -------
+    str or None
+        A sentence about the first such cell, in the order of the array; None where all match.
+    """
     slots = tiles.slots_of(cells)
     faults = []
     for axis, joint in enumerate(tiles.shape.joints):
@@ -148,5 +184,38 @@ def first_mismatch(tiles: TileSet, cells: NDArray[Any], *, torus: bool) -> str |
 
 
 def array_tiling(tiles: TileSet, indices: ArrayLike, *, torus: bool = False) -> ArrayTiling:
-    """A tiling from a given array of tile indices, checked; see `ArrayTiling`."""
+    """Make a tiling from a given array of tile indices, checked.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        The tiles.
+    indices : array-like of int, shape (height, width)
+        The tile of each cell; shape (width,) for dominoes, (depth, height, width) for cubes.
+    torus : bool, optional
+        Whether the tiling goes on periodically in every direction; default False.
+
+    Returns
+    -------
+    ArrayTiling
+        The tiling, from cell (0, 0) on.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something that is not a tile set, or indices that are not integers.
+    TilewrightValueError
+        An index is out of range, the array has a wrong number of axes, or two neighboring tiles do not match;
+        the message names the first.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiling = tw.array_tiling(tw.wang_tiles(2), [[0, 1], [4, 4]])  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+        ...
+    tilewright.errors.TilewrightValueError: the tiles at cell x=0, y=0 ... do not match: E is 0, W is 1
+    >>> tw.array_tiling(tw.wang_tiles(2), [[0, 0], [0, 0]], torus=True).indices(-1, 5, 2, 1)
+    array([[0, 0]], dtype=int32)
+    """
     return ArrayTiling(check_tiles("tiles", tiles), indices, torus=torus)

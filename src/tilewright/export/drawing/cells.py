@@ -28,24 +28,39 @@ _ARCS = (((0.5, 0, 1, -0.5), (1, 0.5, 0, -0.5)), ((0.5, 0, 0, 0.5), (0, 0.5, 1, 
 def draw_cells(
     cells: ArrayLike, *, colors: Sequence[str] | None = None, motif: str = "fill", size: int | None = None
 ) -> str:
-    """Tiles of cells as an SVG drawing. A path for each tile; runs of a tile are one rectangle.
+    """Draw the tiles of cells as SVG: a path for each tile; runs of a tile are one rectangle.
 
     Parameters
     ----------
     cells : array-like of int, shape (height, width)
         Tiles 0 to 255, up to 2^20 cells.
     colors : sequence of str, optional
-        As ``#rrggbb``: of each tile, or of the lines and the ground where ``motif`` is not ``"fill"``.
-    motif : str
-        ``"fill"``: squares. ``"strokes"``: tile t of T leans by 45 + 180 t / T degrees. ``"arcs"``: Truchet's
-        quarter circles, of two tiles.
+        As ``#rrggbb``: of each tile, or of the lines and the ground where ``motif`` is not ``"fill"``; by
+        default colors of this library.
+    motif : str, optional
+        ``"fill"``, the default: squares. ``"strokes"``: tile t of T leans by 45 + 180 t / T degrees.
+        ``"arcs"``: Truchet's quarter circles, of two tiles.
     size : int, optional
-        Pixels along the side of a cell, by default 4 to 64.
+        Pixels along the side of a cell; by default 4 to 64.
 
     Returns
     -------
     str
-        The text of an SVG file; see `tilewright.export.drawing.svg.save_svg`.
+        The text of an SVG file; `save_svg` writes it.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        There are too many cells, a tile or a number is out of range, or a color or motif is unknown.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> drawing = tw.draw_cells([[0, 1], [1, 0]], motif="arcs")
+    >>> drawing.startswith("<svg")
+    True
     """
     tiles = _as_tiles(cells)
     height, width = tiles.shape
@@ -76,16 +91,36 @@ def draw_cells(
 def paint_cells(
     cells: ArrayLike, *, colors: Sequence[str] | None = None, motif: str = "fill", size: int | None = None
 ) -> NDArray[np.uint8]:
-    """Tiles of cells as pixels: what `draw_cells` draws.
+    """Paint the tiles of cells as pixels: the picture that `draw_cells` draws.
 
     Parameters
     ----------
-    cells, colors, motif, size
-        As of `draw_cells`, any number of cells; the picture up to 2^28 pixels.
+    cells : array-like of int, shape (height, width)
+        Tiles 0 to 255, any number of cells.
+    colors : sequence of str, optional
+        As of `draw_cells`.
+    motif : str, optional
+        As of `draw_cells`; default ``"fill"``.
+    size : int, optional
+        Pixels along the side of a cell; by default 4 to 64. The picture has up to 2^28 pixels.
 
     Returns
     -------
     uint8 array, shape (height * size, width * size, 3)
+        sRGB colors.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        There are too many pixels, a tile or a number is out of range, or a color or motif is unknown.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.paint_cells([[0, 1]], colors=["#000000", "#ffffff"], size=1).tolist()
+    [[[0, 0, 0], [255, 255, 255]]]
     """
     tiles = _as_tiles(cells)
     height, width = tiles.shape

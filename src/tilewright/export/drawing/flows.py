@@ -50,15 +50,29 @@ def save_animation(
         Up to 2^24 particles times frames. Trails look best where particles go half a cell or less from
         frame to frame.
     size : int, optional
-        Pixels along a cell, 4 to 128; by default what makes the longer side about 640. A frame holds up to
-        2^24 pixels, all frames 2^29.
-    color : str
-        ``"direction"``: where a particle goes. ``"particle"``: which one it is.
-    trail : float
-        Frames after which a trail has half its light, 0 for none, up to 1000.
-    rate : int
-        Frames for each second, 1 to 50; GIF rounds to hundredths of a second.
+        Pixels along a cell, 4 to 128; by default one that makes the longer side about 640. A frame holds up
+        to 2^24 pixels, all frames 2^29.
+    color : str, optional
+        ``"direction"``, the default: where a particle goes. ``"particle"``: which one it is.
+    trail : float, optional
+        Frames after which a trail has half its light, 0 for no trails, up to 1000; default 8.
+    rate : int, optional
+        Frames per second, 1 to 50; default 25. GIF rounds to hundredths of a second.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The file has another ending, a number is out of range, or there are too many pixels or particles.
+    TilewrightFileError
+        The file cannot be written.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 5, shows such dots.
     """
     path = as_path(path)
     suffix = check_choice("the ending of the file", path.suffix.lower(), SUFFIXES)
@@ -93,18 +107,32 @@ def save_animation(
 def draw_trails(
     flow: Flow, *, frame: int = -1, size: int | None = None, color: str = "direction", trail: float = 8.0
 ) -> NDArray[np.uint8]:
-    """One frame of what `save_animation` writes.
+    """Paint one frame of the animation that `save_animation` writes.
 
     Parameters
     ----------
-    flow, size, color, trail
-        As of `save_animation`.
-    frame : int
-        Which; -1 is the last.
+    flow : Flow
+        Up to 2^24 particles times frames.
+    frame : int, optional
+        Number of the frame, from 0 on; default -1, the last.
+    size : int, optional
+        Pixels along a cell, 4 to 128; by default one that makes the longer side about 640.
+    color : str, optional
+        ``"direction"``, the default: where a particle goes. ``"particle"``: which one it is.
+    trail : float, optional
+        Frames after which a trail has half its light, 0 for no trails, up to 1000; default 8.
 
     Returns
     -------
     uint8 array, shape (height * size, width * size, 3)
+        sRGB colors.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range, or there are too many pixels or particles.
     """
     _check_flow(flow)
     count = len(flow.times)
@@ -116,21 +144,30 @@ def draw_trails(
 
 
 def draw_density(flow: Flow, *, size: int = 8, most: float | None = None) -> NDArray[np.uint8]:
-    """Where particles are, as a heat map: dark where none comes, light where many are.
+    """Paint where particles are, as a heat map: dark where none comes, light where many are.
 
     Parameters
     ----------
     flow : Flow
-    size : int
-        Pixels along a cell, 1 to 64. From 4 on, lanes show, from centers to edges (`Flow.arms`), the busier
-        ones on top where they cross; below, cells (`Flow.density`). Colors go by the square root.
+        The flow.
+    size : int, optional
+        Pixels along a cell, 1 to 64; default 8. From 4 on, lanes show, from centers to edges (`Flow.arms`),
+        the busier ones on top where they cross; below, cells (`Flow.density`). Colors go by the square root.
     most : float, optional
         Particles on a lane, or in a cell, that are shown lightest, as are more: give it to compare flows. By
-        default what 1 in 500 of those exceed that are not empty.
+        default the number that only 1 in 500 of those that are not empty exceed.
 
     Returns
     -------
     uint8 array, shape (height * size, width * size, 3)
+        sRGB colors.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range, or there are too many pixels.
     """
     _check_flow(flow)
     check_int("size", size, 1, 64)
@@ -148,7 +185,10 @@ def draw_density(flow: Flow, *, size: int = 8, most: float | None = None) -> NDA
 
 
 def fit_size(extent: tuple[int, ...], size: int | None, frames: int = 1) -> int:
-    """Pixels along a cell of frames of (height, width) cells; by default what suits. Too many are refused."""
+    """Pixels along a cell of frames of (height, width) cells; by default the longer side has about 640.
+
+    Frames that would be too large are refused.
+    """
     least, cells = 4, extent[0] * extent[1]
     chosen = max(least, min(48, 640 // max(extent))) if size is None else check_int("size", size, least, 128)
     advice = "take a smaller size" if chosen > least else "take fewer cells, or draw_density"

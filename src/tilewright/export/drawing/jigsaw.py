@@ -41,26 +41,40 @@ _SIGNATURES = {b"\x89PNG\r\n\x1a\n": "png", b"\xff\xd8\xff": "jpeg"}
 
 
 class Jigsaw:
-    """Where a puzzle is cut. Lengths in millimeters, x east and y south from the sheet's corner.
+    """Where a puzzle is cut. Lengths are in millimeters, x east and y south from the sheet's corner.
 
     Parameters
     ----------
     tiling : Tiling
         A torus of Wang tiles or corner tiles over 2 to 4 colors, such as a packing; every cell
         becomes a piece.
-    piece : float
-        Size of a piece without its tabs, 5 to 500 mm.
+    piece : float, optional
+        Size of a piece without its tabs, 5 to 500 mm; default 30.
 
     Attributes
     ----------
-    width, height : int, pieces along x and y.
+    width : int
+        Number of pieces along x.
+    height : int
+        Number of pieces along y.
     piece : float
-    sheet : (float, float), size with the frame.
+        Size of a piece, in mm.
+    sheet : tuple of (float, float)
+        Width and height with the frame, in mm.
+    tiling : Tiling
+        As given.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The tiling is another one, or the size is out of range.
 
     Notes
     -----
-    Opposite sides of the board fit together too, so the whole picture can be moved around the torus; a frame
-    that fits the board keeps it together.
+    Lagae 2007, section 5.5.4. Opposite sides of the board fit together too, so the whole picture can be moved
+    around the torus; a frame that fits the board keeps it together.
     """
 
     def __init__(self, tiling: Tiling, piece: float = 30) -> None:
@@ -74,21 +88,71 @@ class Jigsaw:
         """Colors of the pieces, with the first row and column once more at the end."""
 
     def row(self, y: int) -> Line:
-        """The cut along the north of row y, shape (points, 2); the last is the south of the last row."""
+        """Give the cut along the north of a row of pieces.
+
+        Parameters
+        ----------
+        y : int
+            Number of the row; ``height`` gives the south of the last row.
+
+        Returns
+        -------
+        float64 array, shape (points, 2)
+            The line, in mm.
+        """
         return _joined(self.edge(x, y, False) for x in range(self.width))
 
     def column(self, x: int) -> Line:
-        """The cut along the west of column x, shape (points, 2)."""
+        """Give the cut along the west of a column of pieces.
+
+        Parameters
+        ----------
+        x : int
+            Number of the column; ``width`` gives the east of the last column.
+
+        Returns
+        -------
+        float64 array, shape (points, 2)
+            The line, in mm.
+        """
         return _joined(self.edge(x, y, True) for y in range(self.height))
 
     def outline(self, x: int, y: int) -> Line:
-        """The border of a piece, shape (points, 2): clockwise from its NW corner, not closed."""
+        """Give the border of a piece.
+
+        Parameters
+        ----------
+        x : int
+            Its column.
+        y : int
+            Its row.
+
+        Returns
+        -------
+        float64 array, shape (points, 2)
+            The line, in mm, clockwise from its north-west corner, not closed.
+        """
         north, east = self.edge(x, y, False), self.edge(x + 1, y, True)
         south, west = self.edge(x, y + 1, False)[::-1], self.edge(x, y, True)[::-1]
         return _joined(iter((north, east, south, west)))[:-1]
 
     def edge(self, x: int, y: int, down: bool) -> Line:
-        """The cut from lattice point (x, y) to the next one down, or to the right, shape (points, 2)."""
+        """Give the cut between two neighboring lattice points.
+
+        Parameters
+        ----------
+        x : int
+            Column of the first point.
+        y : int
+            Row of the first point.
+        down : bool
+            Whether the second point is the next one down; otherwise to the right.
+
+        Returns
+        -------
+        float64 array, shape (points, 2)
+            The line, in mm.
+        """
         slots = self._slots[y, x]
         if self.tiling.tiles.shape is WANG:
             shape = _tab(int(slots[3 if down else 0]))
@@ -107,7 +171,7 @@ def draw_jigsaw(
     picture: str | os.PathLike[str] | None = None,
     engrave: str = "none",
 ) -> str:
-    """A jigsaw puzzle as an SVG drawing in millimeters (Lagae 2007, section 5.5.4).
+    """Draw a jigsaw puzzle as SVG in millimeters, for a laser cutter.
 
     Its layers are the groups ``picture`` (to print), ``engrave`` (to engrave) and ``cut`` (thin red
     lines, every one once, those of the pieces first, the frame's outside last).
@@ -117,17 +181,38 @@ def draw_jigsaw(
     tiling : Tiling
         A torus of Wang tiles or corner tiles over 2 to 4 colors. Packings hold every piece once; those of a
         search make better puzzles than those in closed form.
-    piece : float
-        Size of a piece without its tabs, in mm.
+    piece : float, optional
+        Size of a piece without its tabs, 5 to 500 mm; default 30.
     picture : path, optional
-        A PNG or JPEG file, put into the drawing and cropped to the sheet.
-    engrave : str
-        ``"colors"``: the colors, at edges or corners; ``"numbers"``: the index of each piece's tile.
+        A PNG or JPEG file, put into the drawing and cropped to the sheet; by default none.
+    engrave : str, optional
+        ``"none"``, the default; ``"colors"``: the colors, at edges or corners; ``"numbers"``: the index of
+        each piece's tile.
 
     Returns
     -------
     str
-        The text of an SVG file; see `tilewright.export.drawing.svg.save_svg`.
+        The text of an SVG file; `save_svg` writes it.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The tiling is another one, there is no such engraving, or the size is out of range.
+    TilewrightFileError
+        The picture cannot be read.
+
+    Notes
+    -----
+    Lagae 2007, section 5.5.4.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> drawing = tw.draw_jigsaw(tw.packing(tw.corner_tiles(2)), piece=25)
+    >>> 'width="130mm"' in drawing
+    True
     """
     check_choice("engrave", engrave, ENGRAVINGS)
     puzzle = Jigsaw(tiling, piece)

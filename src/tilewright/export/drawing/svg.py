@@ -52,12 +52,33 @@ def save_svg(path: str | os.PathLike[str], drawing: str) -> Path:
     Parameters
     ----------
     path : str or Path
+        The file.
     drawing : str
         The text that `draw_tiling`, `draw_wall` and the like give.
 
     Returns
     -------
     Path
+        The file.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The drawing is not a text.
+    TilewrightValueError
+        The file has another ending.
+    TilewrightFileError
+        It cannot be written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import tilewright as tw
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = tw.save_svg(Path(folder) / "tiles.svg", tw.draw_tiles(tw.wang_tiles(2)))
+    ...     file.name
+    'tiles.svg'
     """
     target = as_path(path)
     check_type("drawing", drawing, str, "the text of an SVG file")

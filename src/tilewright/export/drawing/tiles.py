@@ -42,7 +42,7 @@ def color_of(number: int) -> str:
 
 
 def draw_tiles(tiles: TileSet) -> str:
-    """A tile set as an SVG drawing: every tile with its colors and their numbers, its index below.
+    """Draw a tile set as SVG: every tile with its colors and their numbers, its index below.
 
     Parameters
     ----------
@@ -52,7 +52,21 @@ def draw_tiles(tiles: TileSet) -> str:
     Returns
     -------
     str
-        The text of an SVG file; see `tilewright.export.drawing.svg.save_svg`.
+        The text of an SVG file; `save_svg` writes it.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something that is not a tile set.
+    TilewrightValueError
+        The tiles are not square, or there are too many.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> drawing = tw.draw_tiles(tw.corner_tiles(2))
+    >>> drawing.count("translate(")  # a group for each tile
+    16
     """
     _check_square(tiles)
     if len(tiles) > MOST_TILES:
@@ -72,18 +86,40 @@ def draw_tiles(tiles: TileSet) -> str:
 
 
 def draw_tiling(tiling: Tiling, x: int = 0, y: int = 0, width: int = 32, height: int = 32) -> str:
-    """A window of a tiling by square tiles as an SVG drawing.
+    """Draw a window of a tiling by square tiles as SVG.
 
     Parameters
     ----------
     tiling : Tiling
-    x, y, width, height : int
-        The window in cells, up to 131,072 of them; `paint_tiling` makes larger pictures.
+        By square tiles.
+    x : int, optional
+        First cell along x; default 0.
+    y : int, optional
+        First cell along y; default 0.
+    width : int, optional
+        Cells along x; default 32; a window has up to 131,072 cells.
+    height : int, optional
+        Cells along y; default 32; a window has up to 131,072 cells.
 
     Returns
     -------
     str
-        The text of an SVG file. Each tile is written once, its places refer to it.
+        The text of an SVG file; `save_svg` writes it. Each tile is in it once, its places refer to it.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The tiles are not square, or the window has too many cells (`paint_tiling` makes larger pictures) or
+        lies outside the tiling.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> drawing = tw.draw_tiling(tw.direct(tw.corner_tiles(2), seed=7), width=8, height=4)
+    >>> drawing.count("<use ")
+    32
     """
     _check_square(_tiles_of(tiling))
     if check_int("width", width, 1, MOST_CELLS) * check_int("height", height, 1, MOST_CELLS) > MOST_CELLS:
@@ -101,7 +137,7 @@ def draw_tiling(tiling: Tiling, x: int = 0, y: int = 0, width: int = 32, height:
 
 
 def paint_tiles(tiles: TileSet) -> NDArray[np.uint8]:
-    """A tile set as pixels, shape (height, width, 3): what `draw_tiles` draws, without numbers.
+    """Paint a tile set as pixels: the picture that `draw_tiles` draws, without numbers.
 
     Parameters
     ----------
@@ -111,6 +147,14 @@ def paint_tiles(tiles: TileSet) -> NDArray[np.uint8]:
     Returns
     -------
     uint8 array, shape (height, width, 3)
+        sRGB colors.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something that is not a tile set.
+    TilewrightValueError
+        The tiles are not square.
     """
     _check_square(tiles)
     size, gap, columns = 64, 16, _columns(len(tiles))
@@ -125,19 +169,41 @@ def paint_tiles(tiles: TileSet) -> NDArray[np.uint8]:
 def paint_tiling(
     tiling: Tiling, x: int = 0, y: int = 0, width: int = 32, height: int = 32, *, size: int | None = None
 ) -> NDArray[np.uint8]:
-    """A window of a tiling by square tiles as pixels.
+    """Paint a window of a tiling by square tiles as pixels.
 
     Parameters
     ----------
     tiling : Tiling
-    x, y, width, height : int
-        The window in cells.
+        By square tiles.
+    x : int, optional
+        First cell along x; default 0.
+    y : int, optional
+        First cell along y; default 0.
+    width : int, optional
+        Cells along x; default 32.
+    height : int, optional
+        Cells along y; default 32.
     size : int, optional
         Pixels along the side of a tile, 1 to 512; by default 4 to 64, for a picture of up to 1280 pixels.
 
     Returns
     -------
     uint8 array, shape (height * size, width * size, 3)
+        sRGB colors.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The tiles are not square, the picture has more than 2^28 pixels, or the window lies outside the
+        tiling.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.paint_tiling(tw.direct(tw.wang_tiles(3), seed=7), width=8, height=4, size=16).shape
+    (64, 128, 3)
     """
     tiles = _tiles_of(tiling)
     _check_square(tiles)

@@ -29,29 +29,41 @@ def draw_wall(
     mode: str = "bricks",
     scale: float = 1,
 ) -> str:
-    """An SVG drawing of a window of a wall.
+    """Draw a window of a wall as SVG.
 
     Parameters
     ----------
     wall : BrickField, BrickPattern, BrickRegion or Tiling
         A field gives colors, mortar and rounding; the others are drawn as a field with the usual style is.
-    x, y, width, height : int
-        The window in pixels of the wall, which are the drawing's user units.
-    mode : str
-        ``"bricks"``: a rectangle with round corners for each brick, with its id as ``data-id``, on mortar.
-        ``"lines"``: the middle lines of the mortar, each piece once, for plotters and cutters.
-    scale : float
-        Size on the page, in CSS pixels for each user unit.
+    x : int, optional
+        West side of the window in pixels of the wall, which are the drawing's user units; default 0.
+    y : int, optional
+        North side of the window, in pixels; default 0.
+    width : int, optional
+        Width of the window, in pixels; default 1024.
+    height : int, optional
+        Height of the window, in pixels; default 1024.
+    mode : str, optional
+        ``"bricks"``, the default: a rectangle with round corners for each brick, with its id as ``data-id``,
+        on mortar. ``"lines"``: the middle lines of the mortar, each piece once, for plotters and cutters.
+    scale : float, optional
+        Size on the page, in CSS pixels per user unit, 1e-4 to 1e4; default 1.
 
     Returns
     -------
     str
-        The text of an SVG file; see `tilewright.export.drawing.svg.save_svg`.
+        The text of an SVG file; `save_svg` writes it.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        A window outside the wall, or one of more than 200,000 cells.
+        The window is outside the wall or has more than 200,000 cells, or a number is out of range.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 4, has such walls; drawing them as vectors is our own.
     """
     field = wall if isinstance(wall, BrickField) else BrickField(wall)
     check_choice("mode", mode, MODES)

@@ -88,7 +88,7 @@ class BeattyTiling(RotationTiling):
         self._first = 2 * LARGEST_CELL + self.drawn(1, LARGEST_CELL)
 
     def number(self, times: int) -> int:
-        """What the start becomes when the map is applied so many times, in units of 2^-320."""
+        """What the start becomes when the map is applied this number of times, in units of 2^-320."""
         way = _DIGITS.remainder(_DIGITS.add(self._start, _DIGITS.multiply(times, self._step)), self._turn)
         if way < 0:
             way = _DIGITS.add(way, self._turn)

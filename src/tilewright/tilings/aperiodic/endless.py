@@ -32,7 +32,7 @@ _LAGAE_NAMES = (5, 2, 3, 4, 1, 0)
 
 
 def aperiodic_tiling(tiles: TileSet, seed: int = 0) -> Tiling:
-    """An endless tiling by an aperiodic set, evaluated anywhere: it never repeats.
+    """Make an endless tiling by an aperiodic set, evaluated anywhere: it never repeats.
 
     Parameters
     ----------
@@ -40,8 +40,8 @@ def aperiodic_tiling(tiles: TileSet, seed: int = 0) -> Tiling:
         A set of `aperiodic_tiles`, or one that `as_corner_tiles` makes of such a Wang set, in any order of
         its tiles. `translated_tiling` leads on to further sets, `filled_tiling` tiles a rectangle
         with any set.
-    seed : int
-        0 to 2^64 - 1: where in the endless family of its tilings this one lies.
+    seed : int, optional
+        Where in the endless family of its tilings this one lies, 0 to 2^64 - 1; default 0.
 
     Returns
     -------
@@ -50,13 +50,22 @@ def aperiodic_tiling(tiles: TileSet, seed: int = 0) -> Tiling:
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        The set is none of these.
+        The set is none of these, or the seed is out of range.
 
     Notes
     -----
     Jeandel and Rao's tiles and Ammann's are laid by rotations of a torus (Labbé 2021, 2025), Kari's and
     Culik's by multiples of real numbers (Kari 1996, Culik 1996), corner tiles by the Wang tiles they are of.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiling = tw.aperiodic_tiling(tw.aperiodic_tiles("ammann-16"), seed=5)
+    >>> tiling.indices(10**12, -3, 5, 2).shape
+    (2, 5)
     """
     check_tiles("tiles", tiles)
     check_seed(seed)

@@ -62,7 +62,7 @@ class RotationTiling(Tiling):
         """Index of the tile with the given colors."""
 
     def drawn(self, number: int, below: int) -> int:
-        """The seed's number so and so, 0 up to ``below``, which is at most 2^384."""
+        """A number of the seed, from 0 up to ``below``, which is at most 2^384; ``number`` says which."""
         words = self._hash.words(ROTATIONS, np.arange(12), number).tolist()
         return sum(word << (32 * digit) for digit, word in enumerate(words)) * below >> 384
 

@@ -29,11 +29,18 @@ class TranslatedTiling(SlotTiling):
     tiles : TileSet
         Corner tiles, as the construction makes them.
     wang : Tiling
+        The Wang tiling, of the endless plane or periodic.
     construction : str
+        ``"diagonal"``, ``"horizontal"``, ``"vertical"``, ``"rotation"`` or ``"subdivision"``.
     names : array-like of int, shape (C,), optional
-        What each color of the construction is in ``tiles``, where colors have become one or changed names.
-    mirrored : bool
-        East and west exchanged.
+        What each color of the construction is in ``tiles``, where colors have become one or changed names; by
+        default the same.
+    mirrored : bool, optional
+        Whether east and west are exchanged; default False.
+
+    Notes
+    -----
+    Lagae 2007, section 8.3.
     """
 
     def __init__(
@@ -54,7 +61,7 @@ class TranslatedTiling(SlotTiling):
         self._mirrored = mirrored
 
     def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
-        """Colors of every slot of a window of tiles, one array like the window for each slot."""
+        """Give the colors of every slot of a window of tiles, one array like the window for each slot."""
         x, y = (s + np.arange(n + 1) for s, n in zip(start, extent, strict=True))
         points = np.empty((len(y), len(x)), self.tiles.slots.dtype)
         block = _TURNED_BLOCK if self._construction == "rotation" else _BLOCK
@@ -112,16 +119,15 @@ class _WangTiling(Tiling):
 
 
 def translated_tiling(tiling: Tiling, construction: str) -> Tiling:
-    """A tiling by the set that a construction makes from another set, made from a tiling by that other one.
+    """Make a tiling by the set that a construction makes from another set, from a tiling by that other one.
 
     Parameters
     ----------
     tiling : Tiling
         By Wang tiles, of the endless plane or periodic; or, for ``"wang"``, by corner tiles.
     construction : str
-        ``"diagonal"``, ``"horizontal"``, ``"vertical"``, ``"rotation"``, ``"subdivision"`` (Lagae 2007,
-        section 8.3; see `as_corner_tiles`); ``"wang"`` is the way back (section 8.4, `as_wang_tiles`). They
-        can follow one another.
+        ``"diagonal"``, ``"horizontal"``, ``"vertical"``, ``"rotation"``, ``"subdivision"`` (see
+        `as_corner_tiles`); ``"wang"`` is the way back (`as_wang_tiles`). They can follow one another.
 
     Returns
     -------
@@ -131,8 +137,14 @@ def translated_tiling(tiling: Tiling, construction: str) -> Tiling:
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a tiling.
     TilewrightValueError
-        The construction fails for the set, or the tiling is of a rectangle.
+        There is no such construction, it fails for the set, or the tiling is of a rectangle.
+
+    Notes
+    -----
+    Lagae 2007, section 8.3, and 8.4 for the way back; the thesis translates sets, not tilings.
     """
     check_type("tiling", tiling, Tiling, "a Tiling")
     check_choice("construction", construction, (*CONSTRUCTIONS, "wang"))

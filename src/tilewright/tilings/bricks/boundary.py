@@ -30,13 +30,14 @@ class BrickRegion:
     Attributes
     ----------
     tiles : TileSet
+        The set of `brick_tiles`.
     cells : int32 array, shape (h, w)
         Index of the tile of each cell, -1 outside the region.
     horizontal : int8 array, shape (h + 1, w)
         Positions of the edges to the north of each cell and, in the last row, to the south; -1 at edges
         that belong to no cell.
     vertical : int8 array, shape (h, w + 1)
-        The same of the edges to the west and, in the last column, to the east.
+        Positions of the edges to the west of each cell and, in the last column, to the east; -1 as before.
     """
 
     tiles: TileSet
@@ -46,13 +47,24 @@ class BrickRegion:
 
     @property
     def longest(self) -> tuple[int, int]:
-        """How many tiles the longest line along a row traverses, and the longest along a column."""
+        """Number of tiles that the longest line along a row traverses, and the longest along a column."""
         inside = self.cells >= 0
         down = inside & (self.horizontal[:-1] == self.horizontal[1:])
         return _longest_run(inside & ~down), _longest_run(down.T)
 
     def tiling(self) -> ArrayTiling:
-        """The wall as a tiling, if the region is a whole rectangle."""
+        """Give the wall as a tiling, if the region is a whole rectangle.
+
+        Returns
+        -------
+        ArrayTiling
+            The rectangle, from cell (0, 0) on.
+
+        Raises
+        ------
+        TilewrightValueError
+            Some cells of the rectangle are outside the region.
+        """
         if (self.cells < 0).any():
             raise TilewrightValueError(
                 "the region is not a whole rectangle, which a tiling must be",
@@ -70,34 +82,39 @@ def brick_region(
     seed: int = 0,
     longest: tuple[int, int] = (3, 3),
 ) -> BrickRegion:
-    """A random brick wall in any region, holes included, with any boundary; or why there is none.
+    """Lay a random brick wall in any region, holes included, with any boundary; or tell why there is none.
 
-    Takes time in proportion to the number of cells.
+    It takes time in proportion to the number of cells.
 
     Parameters
     ----------
     mask : array-like of bool, shape (h, w)
         The cells of the region. Parts that do not hang together are solved one by one.
-    positions : int
-        2 to 16; see `brick_tiles`.
+    positions : int, optional
+        Number of positions, 2 to 16, see `brick_tiles`; default 4.
     horizontal : array-like of int, shape (h + 1, w), optional
-        Positions asked of the edges to the north of each cell and, in the last row, to the south; -1 where
-        an edge is free. Edges inside the region may be asked for too, those that touch no cell are not
-        looked at.
+        Positions asked of the edges to the north of each cell and, in the last row, to the south; -1 where an
+        edge is free, as all are by default. Edges inside the region may be asked for too, those that touch no
+        cell are not looked at.
     vertical : array-like of int, shape (h, w + 1), optional
-        The same of the edges to the west and, in the last column, to the east.
-    seed : int
-        0 to 2^64 - 1.
-    longest : (int, int)
-        The most tiles that a line should traverse, along rows and along columns. Lines are kept so short
-        wherever changing single bricks can do it; `BrickRegion.longest` tells how long they are.
+        Positions asked of the edges to the west of each cell and, in the last column, to the east; -1 where
+        an edge is free, as all are by default.
+    seed : int, optional
+        Where chance begins, 0 to 2^64 - 1; default 0.
+    longest : tuple of (int, int), optional
+        The most tiles that a line should traverse, along rows and along columns, 1 to 64 each; default (3,
+        3). Lines are kept this short wherever changing single bricks can do it; `BrickRegion.longest` tells
+        how long they are.
 
     Returns
     -------
     BrickRegion
+        The tile of each cell, and the positions of all edges.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
         There is no such wall: the message names a part of the region and the reason. Or ``mask`` has no
         cells, or an array has a wrong shape or positions out of range.
@@ -105,7 +122,17 @@ def brick_region(
     Notes
     -----
     Derouet-Jourdan, Kaji & Mizoguchi 2019 (A linear algorithm for Brick Wang tiling) solve the same problem;
-    see ``parts.py`` for which boundaries can be met.
+    see ``parts.py`` for which boundaries can be met. The tiles are those of Kaji et al. 2016, section 4.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> mask = np.ones((6, 8), bool)
+    >>> mask[2:4, 3:5] = False
+    >>> wall = tw.brick_region(mask, seed=1)
+    >>> wall.cells.shape, int((wall.cells < 0).sum())
+    ((6, 8), 4)
     """
     tiles = brick_tiles(positions)
     n = tiles.colors[0]

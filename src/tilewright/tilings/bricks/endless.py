@@ -38,12 +38,30 @@ Tiles = NDArray[np.int32]
 class EndlessBrickTiling(Tiling):
     """An endless wall; made by `endless_brick_tiling`.
 
+    Parameters
+    ----------
+    positions : int
+        Number of positions, 2 to 16.
+    seed : int
+        Where chance begins, 0 to 2^64 - 1.
+    longest : tuple of (int, int)
+        No more tiles than that are traversed by one line along a row, and along a column, 2 to 8 each.
+
     Attributes
     ----------
     tiles : TileSet
-        `brick_tiles`.
-    longest : (int, int)
-        No more tiles than that are traversed by one line along a row, and along a column.
+        The set of `brick_tiles`.
+    domain : Domain
+        The plane.
+    longest : tuple of (int, int)
+        As given.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range.
     """
 
     def __init__(self, positions: int, seed: int, longest: tuple[int, int]) -> None:
@@ -111,23 +129,44 @@ class EndlessBrickTiling(Tiling):
 def endless_brick_tiling(
     positions: int = 4, seed: int = 0, *, longest: tuple[int, int] = (3, 3)
 ) -> EndlessBrickTiling:
-    """A random brick wall without end, any window of which is evaluated by itself.
+    """Make a random brick wall without end, any window of which is evaluated by itself.
 
     Parameters
     ----------
-    positions : int
-        2 to 16, where lines can cross the edges of tiles; see `brick_tiles`. With 2 positions and limits of
-        2 the wall keeps a trace of the draughtboard it is made from.
-    seed : int
-        0 to 2^64 - 1; the tile of a cell depends on the cell and the seed only.
-    longest : (int, int)
-        2 to 8 each: the most tiles in a row that one horizontal line traverses, and the most in a column
-        that one vertical line traverses: the conditions H and V of Kaji et al. 2016, section 4. With equal
-        limits half of the tiles are of either class; other limits favor the class with the wider one.
+    positions : int, optional
+        Number of positions, 2 to 16, where lines can cross the edges of tiles, see `brick_tiles`; default 4.
+        With 2 positions and limits of 2 the wall keeps a trace of the draughtboard it is made from.
+    seed : int, optional
+        0 to 2^64 - 1; default 0. The tile of a cell depends on the cell and the seed only.
+    longest : tuple of (int, int), optional
+        The most tiles in a row that one horizontal line traverses, and the most in a column that one vertical
+        line traverses, 2 to 8 each; default (3, 3). With equal limits half of the tiles are of either class;
+        other limits favor the class with the wider one.
 
     Returns
     -------
     EndlessBrickTiling
+        A tiling of the plane.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range.
+
+    Notes
+    -----
+    The limits are the conditions H and V of Kaji et al. 2016, section 4. Derouet-Jourdan, Salvati & Jonchier
+    2019 (Generating Stochastic Wall Patterns On-the-fly with Wang Tiles) make such walls too; the method here
+    is another.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> wall = tw.endless_brick_tiling(seed=4)
+    >>> wall.indices(10**9, -7, 5, 3).shape
+    (3, 5)
     """
     return EndlessBrickTiling(positions, seed, longest)
 

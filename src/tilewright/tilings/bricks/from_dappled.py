@@ -20,10 +20,10 @@ Integers = NDArray[np.int32]
 def brick_tiling(
     classes: ArrayLike, positions: int = 4, seed: int = 0, *, torus: bool = False
 ) -> ArrayTiling:
-    """A brick wall whose tiles have given classes; edges are random otherwise, also at the boundary.
+    """Lay a brick wall whose tiles have given classes; edges are random otherwise, also at the boundary.
 
     An edge is carried on across an H tile along the row and across a V tile along the column, and followed
-    by a random other one across the rest (Kaji et al. 2016, section 4).
+    by a random other one across the rest.
 
     Parameters
     ----------
@@ -31,25 +31,39 @@ def brick_tiling(
         0 for H tiles, traversed along the row, 1 for V tiles, traversed along the column. A dappled tiling
         with the conditions H_0^p and V_1^q gives a wall whose lines traverse at most p tiles along rows and
         q along columns.
-    positions : int
-        2 to 16; see `brick_tiles`.
-    seed : int
-        0 to 2^64 - 1. Without ``torus``, an array that continues another to the east and south gives a wall
-        that does, too.
-    torus : bool
-        Whether the wall goes on periodically. Around a torus, the edges of a row change at its V tiles and
-        must return to where they began. That is possible unless there is one V tile, or with 2 positions an
-        odd number of them; and so for the H tiles of a column.
+    positions : int, optional
+        Number of positions, 2 to 16, see `brick_tiles`; default 4.
+    seed : int, optional
+        0 to 2^64 - 1; default 0. Without ``torus``, an array that continues another to the east and south
+        gives a wall that does, too.
+    torus : bool, optional
+        Whether the wall goes on periodically; default False. Around a torus, the edges of a row change at its
+        V tiles and must return to where they began. That is possible unless there is one V tile, or with 2
+        positions an odd number of them; and the same holds for the H tiles of a column.
 
     Returns
     -------
     ArrayTiling
+        The wall, from cell (0, 0) on, or the torus.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
         ``classes`` is empty, not two-dimensional or holds something but 0 and 1, or no wall closes around
         the torus; the message names the row or column.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 4, steps 1 and 2.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> classes = tw.dapple(tw.random_start(8, 6, seed=1), {"H0": 2, "V1": 2})
+    >>> tw.brick_tiling(classes, seed=1).tiles
+    <TileSet bricks-4: 96 wang tiles, colors (4, 4, 4, 4)>
     """
     tiles = brick_tiles(positions)
     n = tiles.colors[0]

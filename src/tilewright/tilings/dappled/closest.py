@@ -18,7 +18,7 @@ from tilewright.tilings.dappled.rules import open_strips
 from tilewright.tilings.dappled.surgery import as_problem
 
 WHOLE = 128 * 128
-"""Up to so many cells are given to the solver at once."""
+"""The most cells that are given to the solver at once."""
 _WINDOW, _STEP = 96, 64
 
 Totals = Mapping[int, int | tuple[int, int]]
@@ -26,13 +26,14 @@ Totals = Mapping[int, int | tuple[int, int]]
 
 @dataclass(frozen=True, eq=False)
 class Closest:
-    """A dappled tiling near a given one.
+    """A dappled tiling near a given one; made by `closest_dapple`.
 
     Attributes
     ----------
     tiling : uint8 array, shape (height, width)
+        The tile of each cell.
     distance : int
-        Cells that differ from the given tiling (Hamming distance).
+        Number of cells that differ from the given tiling (Hamming distance).
     bound : int
         No dappled tiling differs in fewer cells; proven.
     """
@@ -43,7 +44,7 @@ class Closest:
 
     @property
     def gap(self) -> int:
-        """Cells between the distance and the bound; 0 where the tiling is proven to be the closest."""
+        """Number of cells between the distance and the bound; 0 where the tiling is proven closest."""
         return self.distance - self.bound
 
 
@@ -58,7 +59,7 @@ def closest_dapple(
     seconds: float | None = None,
     progress: Progress | None = None,
 ) -> Closest:
-    """The dappled tiling that differs from a tiling in the fewest cells (Kaji et al. 2016, section 6 (3)).
+    """Find the dappled tiling that differs from a tiling in the fewest cells.
 
     Up to 128 x 128 cells the solver (HiGHS) sees all at once and proves that nothing is closer. Beyond, it
     improves the tiling of `dapple` window by window, and the bound is the sum of what disjoint windows need
@@ -67,31 +68,53 @@ def closest_dapple(
     Parameters
     ----------
     start : array-like of int, shape (height, width)
-    limits : mapping or Conditions
-        As in `Conditions`; 0 and 1 and subsets too.
-    cyclic : bool
-        Whether rows and columns close to rings.
+        The tiling to begin with, tiles 0 to 255; sides up to 65,536 cells.
+    limits : mapping of str to longest run, or Conditions
+        Such as ``{"H0": 2, "V1": 2}``; see `Conditions`. Limits of 0 and 1 and subsets of tiles are allowed
+        too.
+    cyclic : bool, optional
+        Whether rows and columns close to rings, so that the tiling can be repeated; default False.
     tiles : int, optional
-        Number of tiles.
+        Number of tiles, 2 to 256; by default one more than the largest that is named.
     fixed : array-like of bool, shape (height, width), optional
-        Cells that must keep their tile.
-    totals : mapping from tile to count or (least, most), optional
-        How many cells must hold a tile (section 6 (6)). Tilings of up to 128 x 128 cells.
+        Cells that must keep their tile; by default none.
+    totals : mapping of int to int or (int, int), optional
+        The number of cells, or the least and the most, that must hold a tile; for tilings of up to 128 x 128
+        cells. By default any numbers may.
     seconds : float, optional
-        When to stop; the best tiling so far comes with a gap, where there is one.
+        After about this time, in seconds, stop, 0 to 10^9; by default never. The best tiling found until then
+        comes with a gap, where there is one.
     progress : callable, optional
-        Called from window to window.
+        Called as ``progress(done, total, what)`` from window to window; raise `Cancelled` from it to stop.
 
     Returns
     -------
     Closest
+        The tiling, its distance, and a proven bound.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number out of range, an array of another shape, or totals for too many cells.
     Impossible
-        No tiling meets the conditions; proven.
+        No tiling meets the conditions; this is proven.
     Undecided
         The time was up before any was found.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 6 (3), and (6) for the totals. The paper names integer programming; the
+    windows are ours.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> found = tw.closest_dapple(np.zeros((4, 6), int), {"H0": 2, "V1": 2})
+    >>> found.distance, found.gap
+    (8, 0)
     """
     conditions, cells = as_problem(start, limits, tiles)
     check_progress(progress)

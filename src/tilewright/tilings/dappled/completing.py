@@ -40,34 +40,53 @@ def complete_dapple(
     seconds: float | None = None,
     progress: Progress | None = None,
 ) -> Cells:
-    """A dappled tiling that extends a partial one (Kaji et al. 2016, section 6 (7)).
+    """Extend a partial tiling to a dappled one, or prove that it has none.
 
     Parameters
     ----------
     partial : array-like of int, shape (height, width)
         The tiles of pinned cells, -1 where any may be.
-    limits : mapping or Conditions
-        As in `Conditions`; 0 and 1 and subsets too.
-    cyclic : bool
-        Whether rows and columns close to rings.
+    limits : mapping of str to longest run, or Conditions
+        Such as ``{"H0": 2, "V1": 2}``; see `Conditions`. Limits of 0 and 1 and subsets of tiles are allowed
+        too.
+    cyclic : bool, optional
+        Whether rows and columns close to rings, so that the tiling can be repeated; default False.
     tiles : int, optional
-        Number of tiles.
-    seed : int
-        Different seeds find different tilings.
+        Number of tiles, 2 to 256; by default one more than the largest that is named.
+    seed : int, optional
+        0 to 2^64 - 1; default 0. Different seeds find different tilings.
     seconds : float, optional
-        When to give up; see `Undecided`.
+        After about this time, in seconds, give up, 0 to 10^9; by default never.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     uint8 array, shape (height, width)
+        A dappled tiling that has the pinned tiles.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number out of range, or an array of another shape.
     Impossible
         There is none; the message names pins that contradict each other, none of them superfluous.
     Undecided
         The time was up.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 6 (7), by a SAT solver.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> partial = [[0, -1, -1], [-1, 1, -1]]
+    >>> full = tw.complete_dapple(partial, {"H0": 2, "V1": 2})
+    >>> full.shape, int(full[0, 0]), int(full[1, 1])
+    ((2, 3), 0, 1)
     """
     conditions = Conditions(limits, tiles)
     check_seed(seed)
@@ -152,32 +171,40 @@ def dapple_formula(
     partial: ArrayLike | None = None,
     tiles: int | None = None,
 ) -> Clauses:
-    """The SAT form of the problem (Kaji et al. 2016, section 6 (8)); ``.dimacs()`` is its file.
+    """Write the conditions as a formula for a SAT solver; ``.dimacs()`` of the result is its file.
 
     With two tiles, variable 1 + y w + x says that cell (x, y) holds tile 1; with T tiles, variable
     1 + (y w + x) T + t says that it holds tile t, and more variables follow. Pins are clauses of one literal.
 
     Parameters
     ----------
-    shape : (int, int)
-        Height and width; together with the number of tiles up to 2^23.
-    limits : mapping or Conditions
-        As in `Conditions`; 0 and 1 and subsets too.
-    cyclic : bool
-        Whether rows and columns close to rings.
+    shape : tuple of (int, int)
+        Height and width, 1 to 65,536; height, width and the number of tiles multiply to 2^23 at most.
+    limits : mapping of str to longest run, or Conditions
+        Such as ``{"H0": 2, "V1": 2}``; see `Conditions`. Limits of 0 and 1 and subsets of tiles are allowed
+        too.
+    cyclic : bool, optional
+        Whether rows and columns close to rings, so that the tiling can be repeated; default False.
     partial : array-like of int, shape (height, width), optional
-        The tiles of pinned cells, -1 where any may be.
+        The tiles of pinned cells, -1 where any may be; by default any may be anywhere.
     tiles : int, optional
-        Number of tiles.
+        Number of tiles, 2 to 256; by default one more than the largest that is named.
 
     Returns
     -------
     Clauses
+        The formula in conjunctive normal form.
 
     Raises
     ------
-    TilewrightValueError, TilewrightTypeError
-        A shape out of range, or pins of another shape.
+    TilewrightTypeError
+        The shape is not a pair, or another argument is of a wrong type.
+    TilewrightValueError
+        The shape is out of range, or the pins are of another shape.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 6 (8).
     """
     conditions = Conditions(limits, tiles)
     if not isinstance(shape, (tuple, list)) or len(shape) != 2:

@@ -51,22 +51,35 @@ class Limit:
 
 
 class Conditions:
-    """A set of conditions L on tilings with ``tiles`` tiles.
+    """The conditions L that make a tiling dappled: how long a run of a tile, or of tiles of a subset, may be.
 
     Parameters
     ----------
-    limits : mapping of str to longest run
-        ``"H0"`` limits horizontal runs of tile 0, ``"V1"`` vertical runs of tile 1 (H_t^p and V_t^q of Kaji
-        et al. 2016, definition 1.1), ``"H0+2"`` horizontal runs of tiles 0 and 2 (H_tau^p, section 6 (2)).
-        A longest run is a number from 0 on, `math.inf`, an array ``(height, width)`` or a function of x and
-        y: what may end at that cell, looking west or north (section 3.1).
+    limits : mapping of str to longest run, or Conditions
+        ``"H0"`` limits horizontal runs of tile 0, ``"V1"`` vertical runs of tile 1, ``"H0+2"`` horizontal
+        runs of tiles 0 and 2. A longest run is a number from 0 on, `math.inf`, an array of shape (height,
+        width) or a function of arrays x and y: the longest that may end at that cell, looking west or north.
     tiles : int, optional
-        Number of tiles; by default one more than the largest named, at least 2.
+        Number of tiles, 2 to 256; by default one more than the largest named, at least 2.
+
+    Attributes
+    ----------
+    limits : tuple of Limit
+        Each condition, as axis, tiles and longest run.
+    tiles : int
+        Number of tiles.
 
     Raises
     ------
-    TilewrightValueError, TilewrightTypeError
-        A name that is none of these, a tile or a number out of range.
+    TilewrightTypeError
+        The limits are not a mapping.
+    TilewrightValueError
+        A name that is none of these, or a tile or a number out of range.
+
+    Notes
+    -----
+    H_t^p and V_t^q of Kaji et al. 2016, definition 1.1; limits that vary over cells are of section 3.1,
+    subsets of tiles, H_tau^p, of section 6 (2).
     """
 
     def __init__(self, limits: "Mapping[str, Most] | Conditions", tiles: int | None = None) -> None:
@@ -95,7 +108,20 @@ class Conditions:
         return all(len(limit.tiles) == 1 for limit in self.limits)
 
     def table(self, axis: int, shape: tuple[int, int]) -> NDArray[np.int32]:
-        """Longest run of each single tile along an axis: int32 (T, h or 1, w or 1)."""
+        """Tabulate the longest run of each single tile along an axis.
+
+        Parameters
+        ----------
+        axis : int
+            0 for horizontal runs, 1 for vertical ones.
+        shape : tuple of (int, int)
+            Height and width of the tiling.
+
+        Returns
+        -------
+        int32 array, shape (T, height or 1, width or 1)
+            The longest run of each tile that may end at a cell; 2^30 where any may.
+        """
         ours = [(limit, limit.on(shape)) for limit in self.limits if limit.axis == axis]
         size = np.broadcast_shapes((1, 1), *(most.shape for _, most in ours))
         most = np.full((self.tiles, *size), NEVER, np.int32)
@@ -105,7 +131,22 @@ class Conditions:
         return most
 
     def windows(self, shape: tuple[int, int], *, cyclic: bool) -> Iterator[tuple[Limit, Integers]]:
-        """All strips of cells that must not lie in one limit's tiles: flat cell numbers, (strips, length)."""
+        """List all strips of cells that must not lie in the tiles of one limit.
+
+        Parameters
+        ----------
+        shape : tuple of (int, int)
+            Height and width of the tiling.
+        cyclic : bool
+            Whether rows and columns close to rings.
+
+        Yields
+        ------
+        limit : Limit
+            One of the conditions.
+        strips : int64 array, shape (strips, length)
+            Numbers y * width + x of the cells of each strip.
+        """
         number = np.arange(shape[0] * shape[1]).reshape(shape)
         for limit in self.limits:
             most = np.broadcast_to(limit.on(shape), shape)
@@ -190,22 +231,45 @@ def find_violations(
     cyclic: bool = False,
     tiles: int | None = None,
 ) -> dict[str, NDArray[np.bool_]]:
-    """Where runs that are too long end, for each condition: the check, independent of every method here.
+    """Find where runs that are too long end, for each condition.
+
+    It is the check of dappled tilings, independent of every method that makes them.
 
     Parameters
     ----------
     tiling : array-like of int, shape (height, width)
-    limits : mapping or Conditions
-        As in `Conditions`.
-    cyclic : bool
-        Whether rows and columns close to rings. A ring of one tile is a run without end, so that it violates
-        every finite limit.
+        The tile of each cell, 0 to 255.
+    limits : mapping of str to longest run, or Conditions
+        Such as ``{"H0": 2, "V1": 2}``; see `Conditions`.
+    cyclic : bool, optional
+        Whether rows and columns close to rings; default False. A ring of one tile is a run without end, so
+        that it violates every finite limit.
     tiles : int, optional
-        Number of tiles.
+        Number of tiles, 2 to 256; by default one more than the largest that is named.
 
     Returns
     -------
-    dict from ``"H0"`` etc. to bool array (height, width); a dappled tiling has no True in any.
+    dict of str to bool array, shape (height, width)
+        For each condition, such as ``"H0"``, the cells where a run that is too long goes on; a dappled tiling
+        has none.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A tile or a number is out of range, or an array has another shape.
+
+    Notes
+    -----
+    Kaji et al. 2016, definition 1.1.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> found = tw.find_violations([[0, 0, 0, 1]], {"H0": 2, "V1": 2})
+    >>> found["H0"].tolist()
+    [[False, False, True, False]]
     """
     conditions = Conditions(limits, tiles)
     cells = as_cells("tiling", tiling, conditions.tiles)

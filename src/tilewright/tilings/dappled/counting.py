@@ -31,33 +31,48 @@ def count_dappled(
     totals: Mapping[int, int] | None = None,
     progress: Progress | None = None,
 ) -> int:
-    """The number of dappled tilings of a rectangle or torus, translations counted apart.
-
-    For {H_0^2, V_1^2} these are the numbers that remark 1.4 of Kaji et al. 2016 points to (OEIS A206994).
+    """Count the dappled tilings of a rectangle or torus, exactly; translations are counted apart.
 
     Parameters
     ----------
-    width, height : int
-        Cells. The work grows with the number of states of the shorter side: about 3^12 for limits of 2.
-    limits : mapping or Conditions
-        As in `Conditions`; constant.
-    cyclic : bool
-        Whether rows and columns close to rings.
+    width : int
+        Cells along x, 1 to 10,000. The work grows with the number of states of the shorter side: about 3^12
+        for 12 cells and limits of 2.
+    height : int
+        Cells along y, 1 to 10,000.
+    limits : mapping of str to longest run, or Conditions
+        Such as ``{"H0": 2, "V1": 2}``; see `Conditions`. Limits must be constant.
+    cyclic : bool, optional
+        Whether rows and columns close to rings, so that the tiling can be repeated; default False.
     tiles : int, optional
-        Number of tiles.
-    totals : mapping from tile to count, optional
-        Count only tilings in which so many cells hold a tile (section 6 (6)).
+        Number of tiles, 2 to 256; by default one more than the largest that is named.
+    totals : mapping of int to int, optional
+        Count only tilings in which this number of cells holds a tile; by default all.
     progress : callable, optional
-        Called after every row.
+        Called as ``progress(done, total, what)`` after every row; raise `Cancelled` from it to stop.
 
     Returns
     -------
-    int, of any size
+    int
+        The number of tilings, of any size.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
         Limits that vary, more than 200,000 states, or work for more than some minutes.
+
+    Notes
+    -----
+    For {H_0^2, V_1^2} these are the numbers that remark 1.4 of Kaji et al. 2016 points to (OEIS A206994). The
+    totals are of section 6 (6). The method, a transfer from cell to cell, is ours.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.count_dappled(3, 3, {"H0": 2, "V1": 2})
+    174
     """
     check_progress(progress)
     check_int("width", width, 1, _MOST_SIDE)

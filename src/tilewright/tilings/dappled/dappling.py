@@ -22,36 +22,53 @@ def dapple(
     fixed: ArrayLike | None = None,
     seed: int = 0,
 ) -> Cells:
-    """A dappled tiling that follows a given one; one that is dappled already comes back as it is.
+    """Make a tiling dappled that follows a given one; one that is dappled already comes back as it is.
 
-    Algorithm 1 of Kaji et al. 2016 where it applies (`rectify`). What it does not promise is left to a SAT
+    This is algorithm 1 of the paper where it applies (`rectify`). What it does not promise is left to a SAT
     solver that opens only the cells around runs that are still too long: rows and columns that close to
-    rings, with limits of 2 as well (the paper's section 6 (1)); subsets of tiles (2); limits of 0 and 1;
-    cells that must stay. For the fewest changes see `closest_dapple`.
+    rings, subsets of tiles, limits of 0 and 1, cells that must stay. For the fewest changes see
+    `closest_dapple`.
 
     Parameters
     ----------
     start : array-like of int, shape (height, width)
-        `random_start` and `start_from_image` make some.
-    limits : mapping or Conditions
-        Longest runs, such as ``{"H0": 2, "V1": 2}``; see `Conditions`.
-    cyclic : bool
-        Whether rows and columns close to rings, so that the tiling can be repeated.
+        The tiling to begin with, tiles 0 to 255; sides up to 65,536 cells. `random_start` and
+        `start_from_image` make some.
+    limits : mapping of str to longest run, or Conditions
+        Such as ``{"H0": 2, "V1": 2}``; see `Conditions`. Limits of 0 and 1 and subsets of tiles are allowed
+        too.
+    cyclic : bool, optional
+        Whether rows and columns close to rings, so that the tiling can be repeated; default False.
     tiles : int, optional
-        Number of tiles; by default as many as ``limits`` and ``start`` hold.
+        Number of tiles, 2 to 256; by default as many as ``limits`` and ``start`` hold.
     fixed : array-like of bool, shape (height, width), optional
-        Cells that must keep their tile.
-    seed : int
-        0 to 2^64 - 1: what the solver tries first where it is free.
+        Cells that must keep their tile; by default none.
+    seed : int, optional
+        What the solver tries first where it is free, 0 to 2^64 - 1; default 0.
 
     Returns
     -------
     uint8 array, shape (height, width)
+        The dappled tiling.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A tile or a number is out of range, or an array has another shape.
     Impossible
         No tiling meets the conditions (and has the fixed cells); this is proven.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 3, algorithm 1; rings with limits of 2 are of section 6 (1), subsets of (2).
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.dapple([[0, 0, 0, 0], [0, 0, 0, 0]], {"H0": 2, "V1": 2}).tolist()
+    [[0, 0, 1, 0], [0, 0, 1, 0]]
     """
     conditions, cells = as_problem(start, limits, tiles)
     check_seed(seed)

@@ -20,7 +20,30 @@ Start = float | Callable[[NDArray[np.int64], NDArray[np.int64]], ArrayLike]
 
 
 class EndlessDappledTiling:
-    """A dappled tiling of the plane with two tiles; made by `endless_dappled_tiling`."""
+    """A dappled tiling of the plane with two tiles; made by `endless_dappled_tiling`.
+
+    Parameters
+    ----------
+    conditions : Conditions
+        Constant limits of single tiles.
+    start : float or callable
+        The share of tile 1, or a function of int64 arrays x and y to tiles.
+    seed : int
+        Where chance begins, 0 to 2^64 - 1.
+
+    Attributes
+    ----------
+    conditions : Conditions
+        As given.
+    start : float or callable
+        As given.
+    domain : Domain
+        The plane.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 6 (5).
+    """
 
     def __init__(self, conditions: Conditions, start: Start, seed: int) -> None:
         self.conditions = conditions
@@ -31,17 +54,30 @@ class EndlessDappledTiling:
         self._across = int(np.argmin(self._most[0][:, 0, 0]))
 
     def cells(self, x: int, y: int, width: int, height: int) -> Cells:
-        """Tiles of a window, equal to the same cells of any other window.
+        """Give the tiles of a window, equal to the same cells of any other window.
 
         Parameters
         ----------
-        x, y : int
-            First cell, within +-2^61.
-        width, height : int
+        x : int
+            First cell along x, within +-2^61.
+        y : int
+            First cell along y, within +-2^61.
+        width : int
+            Cells along x; a window has 2^31 of them at most.
+        height : int
+            Cells along y.
 
         Returns
         -------
         uint8 array, shape (height, width)
+            Tiles 0 and 1.
+
+        Raises
+        ------
+        TilewrightTypeError
+            An argument of a wrong type.
+        TilewrightValueError
+            The window is too large or too far out, or ``start`` gives something but 0 and 1.
         """
         self.domain.check_window((x, y), (width, height))
         from tilewright.kernels.dappling import fill_blocks
@@ -82,26 +118,44 @@ class EndlessDappledTiling:
 def endless_dappled_tiling(
     limits: Mapping[str, Most] | Conditions, *, start: Start = 0.5, seed: int = 0
 ) -> EndlessDappledTiling:
-    """A dappled tiling of the endless plane whose cells depend on their place and the seed only.
+    """Make a dappled tiling of the endless plane, whose cells depend on their place and the seed only.
 
-    The plane is cut into blocks of 256 x 256 cells. The first two rows and columns of each alternate, as in
-    remark 3.4 of Kaji et al. 2016, and depend on the start alone; so every block can be rectified by itself
-    (section 6 (5)), and blocks run in parallel.
+    The plane is cut into blocks of 256 x 256 cells. The first two rows and columns of each alternate and
+    depend on the start alone; so every block can be rectified by itself, and blocks run in parallel.
 
     Parameters
     ----------
-    limits : mapping or Conditions
-        Constant limits of two tiles: all from 3 on, or one horizontal limit of one tile and one vertical
-        limit of the other, from 2 on.
-    start : float or function
-        The tiling to follow: the share of tile 1, or a function of int64 arrays x and y to tiles 0 and 1.
-    seed : int
-        0 to 2^64 - 1.
+    limits : mapping of str to longest run, or Conditions
+        Such as ``{"H0": 2, "V1": 2}``; see `Conditions`. Constant limits of two tiles: all from 3 on, or one
+        horizontal limit of one tile and one vertical limit of the other, from 2 on.
+    start : float or callable, optional
+        The tiling to follow: the share of tile 1, 0 to 1, or a function of int64 arrays x and y to tiles 0
+        and 1; default 0.5.
+    seed : int, optional
+        Where chance begins, 0 to 2^64 - 1; default 0.
+
+    Returns
+    -------
+    EndlessDappledTiling
+        Its ``cells`` give any window.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        Other limits.
+        The limits are others, or a number is out of range.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 6 (5), with the first rows and columns of remark 3.4.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiling = tw.endless_dappled_tiling({"H0": 2, "V1": 2}, seed=3)
+    >>> tiling.cells(-10**12, 5, 4, 2).shape
+    (2, 4)
     """
     conditions = Conditions(limits)
     given = [limit.most for limit in conditions.limits]

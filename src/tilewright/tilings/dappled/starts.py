@@ -17,20 +17,41 @@ _AT_ONCE = 2**20
 
 
 def random_start(width: int, height: int, shares: Sequence[float] = (0.5, 0.5), seed: int = 0) -> Cells:
-    """A tiling in which every cell draws its tile by itself.
+    """Make a tiling in which every cell draws its tile by itself.
 
     Parameters
     ----------
-    width, height : int
-        Cells, 1 to 65,536. A larger tiling continues a smaller one of the same seed.
-    shares : sequence of float
-        How often each tile comes, for example ``(0.3, 0.7)``; only their ratios count.
-    seed : int
-        0 to 2^64 - 1.
+    width : int
+        Cells along x, 1 to 65,536. A larger tiling continues a smaller one of the same seed.
+    height : int
+        Cells along y, 1 to 65,536.
+    shares : sequence of float, optional
+        How often each tile comes, such as ``(0.3, 0.7)``; only their ratios count. Default (0.5, 0.5).
+    seed : int, optional
+        Where chance begins, 0 to 2^64 - 1; default 0.
 
     Returns
     -------
     uint8 array, shape (height, width)
+        The tile of each cell.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range, or there are fewer than two shares.
+
+    Notes
+    -----
+    Kaji et al. 2016, section 6, begins with such tilings.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> start = tw.random_start(1000, 1000, (0.3, 0.7), seed=1)
+    >>> round(float(start.mean()), 2)
+    0.7
     """
     check_int("width", width, 1, _MOST_SIDE)
     check_int("height", height, 1, _MOST_SIDE)
@@ -62,26 +83,48 @@ def start_from_image(
     dither: bool = False,
     limits: Mapping[str, Most] | Conditions | None = None,
 ) -> Cells:
-    """A tiling that follows a picture: dark parts get tile 0, light parts the last tile.
+    """Make a tiling that follows a picture: dark parts get tile 0, light parts the last tile.
 
     Parameters
     ----------
     pixels : array-like, shape (h, w) or (h, w, channels)
         Grays or sRGB colors; integers over their type's range, floats from 0 to 1. Alpha is left out.
-    width, height : int
-        Cells; the picture is averaged over each, stretched where the sides have another ratio.
-    tiles : int
-        2 to 256.
-    dither : bool
+    width : int
+        Cells along x, 1 to 65,536; the picture is averaged over each cell, stretched where the sides have
+        another ratio.
+    height : int
+        Cells along y, 1 to 65,536.
+    tiles : int, optional
+        Number of tiles, 2 to 256; default 2.
+    dither : bool, optional
         Whether the error of each cell is passed on to its neighbors (Floyd and Steinberg), so that grays
-        become mixtures; otherwise every cell takes the nearest tile.
+        become mixtures; default False: every cell takes the nearest tile.
     limits : mapping or Conditions, optional
         Constant limits that the tiling is to be dappled by: tones are brought between the darkest and the
-        lightest mixture that they allow. Flat black, dithered and then dappled, would be a grid.
+        lightest mixture that they allow. Flat black, dithered and then dappled, would be a grid. By default
+        tones stay.
 
     Returns
     -------
     uint8 array, shape (height, width)
+        The tile of each cell.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        A number is out of range, or the picture has another shape.
+
+    Notes
+    -----
+    Our own, not from the papers.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.start_from_image([[0.1, 0.9]], 4, 1).tolist()
+    [[0, 0, 1, 1]]
     """
     check_int("width", width, 1, _MOST_SIDE)
     check_int("height", height, 1, _MOST_SIDE)

@@ -9,7 +9,7 @@ from tilewright.errors import TilewrightValueError
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Limit, Most, as_cells
 
 _SMALL = 2**15
-"""Up to so many cells, waking threads takes longer than the sweep."""
+"""Up to this number of cells, waking threads takes longer than the sweep."""
 
 
 def rectify(
@@ -19,33 +19,48 @@ def rectify(
     cyclic: bool = False,
     tiles: int | None = None,
 ) -> Cells:
-    """The dappled tiling that the algorithms of Kaji et al. 2016 make of a tiling.
+    """Make a tiling dappled by the algorithms of the paper: local surgery, in one sweep.
 
     Algorithm 1 goes over cells by x + y and mends each that ends too long a run; a tiling that is dappled
     already comes back as it is. Algorithm 2 (``cyclic``) closes rows and columns to rings; it changes tilings
-    that are dappled already. For the two conditions H_a^p and V_b^q with a limit of 2 it follows remark 3.4,
-    made right: the first two rows and columns alternate, f(m-2, 0) = a, and of each anti-diagonal the cell of
-    the last column is visited last. (With the paper's order and its f(m-2, 0) = f(0, n-2), mending the cell
-    before the last column can lengthen a run that the last column has closed already.)
+    that are dappled already.
 
     Parameters
     ----------
     start : array-like of int, shape (height, width)
-    limits : mapping or Conditions
-        As in `Conditions`; of single tiles.
-    cyclic : bool
+        The tiling to begin with, tiles 0 to 255; sides up to 65,536 cells.
+    limits : mapping of str to longest run, or Conditions
+        Such as ``{"H0": 2, "V1": 2}``; see `Conditions`. They must be of single tiles.
+    cyclic : bool, optional
+        Whether rows and columns close to rings, so that the tiling can be repeated; default False.
     tiles : int, optional
-        Number of tiles; by default as many as ``limits`` and ``start`` hold.
+        Number of tiles, 2 to 256; by default as many as ``limits`` and ``start`` hold.
 
     Returns
     -------
-    uint8 array, shape (height, width). The same for any number of threads.
+    uint8 array, shape (height, width)
+        The dappled tiling, the same for any number of threads.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
         Limits that the algorithm cannot meet: 0 or 1 with two tiles (remark 2.2), subsets; for ``cyclic``,
         limits that vary, limits of 2 other than in remark 3.4, fewer than 4 rows or columns.
+
+    Notes
+    -----
+    Kaji et al. 2016, sections 2 and 3. For the two conditions H_a^p and V_b^q with a limit of 2 it follows
+    remark 3.4, made right: the first two rows and columns alternate, f(m-2, 0) = a, and of each anti-diagonal
+    the cell of the last column is visited last. (With the paper's order and its f(m-2, 0) = f(0, n-2),
+    mending the cell before the last column can lengthen a run that the last column has closed already.)
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.rectify([[1, 1], [1, 1], [1, 1]], {"H0": 2, "V1": 2}).tolist()
+    [[1, 1], [1, 1], [0, 0]]
     """
     conditions, cells = as_problem(start, limits, tiles)
     reason = refusal(conditions, (cells.shape[0], cells.shape[1]), cyclic=cyclic)

@@ -45,6 +45,20 @@ class Packing(SlotTiling):
 
     As a tiling it is a torus of C^2 x C^2 cells for corner tiles, C_v^2 x C_h^2 for Wang tiles, C^2 for
     dominoes, C^2 x C^2 x C^4 for corner cubes and C^2 x C^2 x C^2 for Wang cubes.
+
+    Parameters
+    ----------
+    tiles : TileSet
+        The complete set.
+
+    Attributes
+    ----------
+    size : tuple of int
+        Cells along x, y (and z).
+
+    Notes
+    -----
+    Lagae 2007, section 5.5; ``docs/packing.md`` has the construction of corner packings and its proof.
     """
 
     def __init__(self, tiles: TileSet) -> None:
@@ -63,7 +77,7 @@ class Packing(SlotTiling):
         self._color = colors.get(tiles.shape)
 
     def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
-        """Colors of every slot of a window of tiles, one array like the window for each slot."""
+        """Give the colors of every slot of a window of tiles, one array like the window for each slot."""
         if self._color is None:
             cells = as_grid(tuple(fold(*span) for span in zip(start, extent, self.size, strict=True)))
             return tuple(slot.astype(slot_type(self.tiles.colors)) for slot in self._edges(cells))
@@ -72,7 +86,23 @@ class Packing(SlotTiling):
         return corner_slots(colors.astype(slot_type(self.tiles.colors)))
 
     def tile(self, *cell: ArrayLike) -> Integers:
-        """Index of the tile at cells x (, y, z); the arguments are broadcast."""
+        """Give the tiles of cells.
+
+        Parameters
+        ----------
+        *cell : array-like of int
+            Coordinates x (, y, z) of any cells of the endless torus; they are broadcast.
+
+        Returns
+        -------
+        int64 array, shape of the coordinates
+            Tile indices.
+
+        Raises
+        ------
+        TilewrightTypeError
+            Another number of coordinates than the torus has axes, or something that is not an integer.
+        """
         if len(cell) != len(self.size):
             raise TilewrightTypeError(f"tile() takes {len(self.size)} coordinates, not {len(cell)}")
         given = zip("xyz", cell, self.size, strict=False)
@@ -96,7 +126,25 @@ class Packing(SlotTiling):
         return slots
 
     def place(self, tile: ArrayLike) -> tuple[Integers, ...]:
-        """Cells x (, y, z) of tiles given by index: the inverse of `tile`."""
+        """Give the cells of tiles: the inverse of `tile`.
+
+        Parameters
+        ----------
+        tile : array-like of int, any shape
+            Tile indices.
+
+        Returns
+        -------
+        tuple of int64 array
+            Coordinates x (, y, z), arrays of the shape of ``tile``.
+
+        Raises
+        ------
+        TilewrightTypeError
+            The indices are not integers.
+        TilewrightValueError
+            An index is out of range.
+        """
         slots = list(np.moveaxis(self.tiles.slots_of(tile).astype(np.int64), -1, 0))
         if self._color is None:
             return tuple(
@@ -108,11 +156,39 @@ class Packing(SlotTiling):
 
 
 def packing(tiles: TileSet) -> Packing:
-    """The closed-form packing of a complete set of corner tiles, Wang tiles, dominoes or cubes.
+    """Pack a complete set: every tile once, on a torus, neighbors matching; in closed form.
 
-    The packing of Wang tiles and cubes is the outer product of Wei's Eulerian trains (Lagae 2007, section
-    5.5.2); its north-west part is the packing over one color less. The corner packing solves for every
-    number of colors what sections 5.5.3 and 6.2 (2006) search for.
+    Parameters
+    ----------
+    tiles : TileSet
+        A complete set of corner tiles, Wang tiles, dominoes, corner cubes or Wang cubes.
+
+    Returns
+    -------
+    Packing
+        A torus, which tells the tile of a cell and the cell of a tile.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something that is not a tile set.
+    TilewrightValueError
+        The set is not complete, or its tiles are corner-coded.
+
+    Notes
+    -----
+    The packing of Wang tiles and cubes is the outer product of Wei's Eulerian trains (Lagae 2007, sections
+    5.5.1 and 5.5.2); its north-west part is the packing over one color less. The corner packing solves for
+    every number of colors what Lagae 2007, section 5.5.3, and Lagae & Dutré 2006, section 6.2, search for.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> packed = tw.packing(tw.corner_tiles(3))
+    >>> packed.size
+    (9, 9)
+    >>> [int(n) for n in packed.place(packed.tile(4, 7))]
+    [4, 7]
     """
     if not check_tiles("tiles", tiles).is_complete or tiles.shape is CORNER_CODED:
         raise TilewrightValueError(

@@ -41,15 +41,12 @@ _COLD, _MANY = (3.4, 4.6), 800_000_000
 
 
 def recursive_packing(tiles: TileSet) -> Tiling:
-    """A packing of a complete set whose north-west part is the one over a color less, and so on down.
-
-    For Wang tiles over any number of colors in closed form (Wei's trains nest), for corner tiles over up to
-    4 from a table (Lagae 2007, section 5.5.3, has another one).
+    """Pack a complete set so that the north-west part is the packing over a color less, and so on down.
 
     Parameters
     ----------
     tiles : TileSet
-        A complete set.
+        A complete set of Wang tiles, or of corner tiles over up to 4 colors.
 
     Returns
     -------
@@ -58,8 +55,21 @@ def recursive_packing(tiles: TileSet) -> Tiling:
 
     Raises
     ------
+    TilewrightTypeError
+        Something that is not a tile set.
     TilewrightValueError
-        Other sets, and corner tiles over 5 colors and more: no recursive packing is known.
+        The set is another one. Over 5 colors and more no recursive packing of corner tiles is known.
+
+    Notes
+    -----
+    Wang tiles in closed form, because Wei's trains nest (Lagae 2007, section 5.5.2). Corner tiles from a
+    table of our own; Lagae 2007, section 5.5.3 and figure 5.11, has another one.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.recursive_packing(tw.corner_tiles(3)).domain.periods
+    (9, 9)
     """
     if check_tiles("tiles", tiles).is_complete and tiles.shape is WANG:
         return packing(tiles)
@@ -81,22 +91,23 @@ def recursive_packing(tiles: TileSet) -> Tiling:
 def extend_packing(
     smaller: Tiling, *, seed: int = 0, seconds: float | None = None, progress: Progress | None = None
 ) -> ArrayTiling:
-    """A packing of corner tiles over one color more, with the given one in its north-west corner.
+    """Search for a packing of corner tiles over one color more, with a given one in its north-west corner.
 
     Every color of the new part is drawn anew, many times, in pieces of rows and columns: a heat bath in which
-    missing tiles cost more and more, begun again until none is missing. Seconds from 2 colors to 3, many
-    minutes from 3 to 4, beyond that not known.
+    missing tiles cost more and more, begun again until none is missing. It takes seconds from 2 colors to 3,
+    many minutes from 3 to 4; beyond that no packing has been found.
 
     Parameters
     ----------
     smaller : Tiling
         A packing of the complete set of corner tiles over 1 to 15 colors.
-    seed : int
-        Other seeds give other packings.
+    seed : int, optional
+        0 to 2^63 - 1; default 0. Other seeds give other packings.
     seconds : float, optional
-        After about so long, give up.
+        After about this time, in seconds, give up, 0 to 10^9; by default never.
     progress : callable, optional
-        Called between stretches; its last argument tells how many tiles are missing.
+        Called as ``progress(done, total, what)`` between stretches; its last argument tells how many tiles
+        are missing. Raise `Cancelled` from it to stop.
 
     Returns
     -------
@@ -105,10 +116,16 @@ def extend_packing(
 
     Raises
     ------
+    TilewrightTypeError
+        ``smaller`` is not a tiling, or another argument is of a wrong type.
+    TilewrightValueError
+        ``smaller`` is not a packing of corner tiles, or a number is out of range.
     Undecided
         The time was up.
-    TilewrightValueError
-        Not a packing of corner tiles.
+
+    Notes
+    -----
+    Lagae 2007, section 5.5.3, and Lagae & Dutré 2006, section 6.2, found theirs by backtracking on a cluster.
     """
     check_type("smaller", smaller, Tiling, "a packing")
     if smaller.tiles.shape is not CORNER:

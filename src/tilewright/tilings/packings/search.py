@@ -40,24 +40,32 @@ class PackingSearch:
     tiles : TileSet
         A complete set of corner tiles, or of Wang tiles with C_h and C_v colors. Packings are tori of
         C^2 x C^2 and C_v^2 x C_h^2 cells.
-    seed : int
-        The order in which colors are tried. Every seed leads to the same packings, but to others first.
+    seed : int, optional
+        The order in which colors are tried, 0 to 2^63 - 1; default 0. Every seed leads to the same packings,
+        but to others first.
     nest : Tiling, optional
         A packing of the same kind of tiles over one color less. Only packings are found whose north-west
-        part it is (recursive packings; Lagae 2007, section 5.5.3).
+        part it is; by default all are.
     checkpoint : mapping, optional
         What `checkpoint` gave for the same search: it goes on from there.
 
+    Attributes
+    ----------
+    size : tuple of (int, int)
+        Cells of a packing along x and y.
+
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        A set of another kind, a nest that is not a packing over one color less, or the checkpoint of
-        another search.
+        A set of another kind, a nest that is not a packing over one color less, the checkpoint of
+        another search, or a seed out of range.
 
     Notes
     -----
-    Corner tiles over 3 colors take about a second for the first packing, Wang tiles a tenth; over 4 colors
-    neither is found in days (for corner tiles see `extend_packing`).
+    Lagae 2007, section 5.5.3. Corner tiles over 3 colors take about a second for the first packing, Wang
+    tiles a tenth; over 4 colors neither is found in days (for corner tiles see `extend_packing`).
     """
 
     def __init__(
@@ -100,7 +108,7 @@ class PackingSearch:
 
     @property
     def trials(self) -> int:
-        """Colors tried so far."""
+        """Number of colors tried so far."""
         return int(self._progress[1])
 
     @property
@@ -110,26 +118,34 @@ class PackingSearch:
 
     @property
     def explored(self) -> float:
-        """Which part of the search lies behind, 0 to 1, as if all branches were equally long."""
+        """Part of the search that lies behind, 0 to 1, as if all branches were equally long."""
         if self.is_over:
             return 1.0
         behind = np.maximum(self._tried - 1, 0)
         return float((behind / np.cumprod(self._numbers.astype(float))).sum())
 
     def find(self, most: int | None = 1, progress: Progress | None = None) -> Cells:
-        """The next packings.
+        """Search for the next packings.
 
         Parameters
         ----------
         most : int, optional
-            How many; all that are left with None.
+            Number of packings, 1 to 2^31; default 1. None asks for all that are left.
         progress : callable, optional
-            Called about ten times a second; raise `Cancelled` from it to stop. The search can go on.
+            Called as ``progress(done, total, what)`` about ten times a second; raise `Cancelled` from it to
+            stop. The search can go on.
 
         Returns
         -------
-        int32 array, shape (packings, height, width): tile indices; fewer than ``most`` packings, or none,
-        where the search is over.
+        int32 array, shape (P, height, width)
+            Tile indices; fewer than ``most`` packings, or none, where the search is over.
+
+        Raises
+        ------
+        TilewrightTypeError
+            An argument of a wrong type.
+        TilewrightValueError
+            ``most`` is out of range.
         """
         wanted = 2**62 if most is None else check_int("most", most, 1, 2**31)
         check_progress(progress)
@@ -161,7 +177,13 @@ class PackingSearch:
             yield ArrayTiling(self.tiles, found[0], torus=True)
 
     def checkpoint(self) -> dict[str, NDArray[Any]]:
-        """Where the search stands, as a few small arrays: for ``numpy.savez``, and to resume it from."""
+        """Tell where the search stands, so that it can be resumed.
+
+        Returns
+        -------
+        dict of str to array
+            A few small arrays, for ``numpy.savez`` and for ``checkpoint`` of a new search.
+        """
         return {name: array.copy() for name, array in (self._order() | self._state()).items()}
 
     def _order(self) -> dict[str, NDArray[np.int64]]:
@@ -197,7 +219,7 @@ class PackingSearch:
 
 
 def count_packings(tiles: TileSet, progress: Progress | None = None) -> int:
-    """How many packings a complete set has, translations counted (Lagae 2007, section 5.5.3).
+    """Count the packings of a complete set, translations counted.
 
     Every tile lies once in a packing, so the packings with tile 0 at cell (0, 0) are counted and multiplied
     by the number of cells. Corner tiles over 2 colors have 32, Wang tiles 203,520.
@@ -205,17 +227,25 @@ def count_packings(tiles: TileSet, progress: Progress | None = None) -> int:
     Parameters
     ----------
     tiles : TileSet
-        A complete set of corner tiles or Wang tiles.
+        A complete set of corner tiles or Wang tiles, 16 tiles at most.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
     int
+        The number of packings.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        The set has more than 16 tiles: counting would not end.
+        The set is of another kind, or has more than 16 tiles: counting would not end.
+
+    Notes
+    -----
+    Lagae 2007, section 5.5.3.
     """
     if len(check_kind(tiles)) > _MOST_COUNTED:
         raise TilewrightValueError(
@@ -228,20 +258,22 @@ def count_packings(tiles: TileSet, progress: Progress | None = None) -> int:
 def random_packing(
     tiles: TileSet, *, seed: int = 0, nest: Tiling | None = None, progress: Progress | None = None
 ) -> ArrayTiling:
-    """A packing by search, as a torus; other seeds give others. Irregular, so better for a puzzle.
+    """Find a packing by search, as a torus; other seeds give others.
 
-    For up to 3 colors, in seconds at most: some orders of the colors lead to long searches, so that one
-    which takes long is begun anew in another order. See `PackingSearch`, which can be stopped and resumed.
+    It is irregular, so better for a puzzle than `packing`. Some orders of the colors lead to long searches,
+    so that one which takes long is begun anew in another order. See `PackingSearch`, which can be stopped and
+    resumed.
 
     Parameters
     ----------
     tiles : TileSet
-        A complete set of corner tiles or Wang tiles.
-    seed : int
-        0 to 2^63 - 1.
+        A complete set of corner tiles or Wang tiles over up to 3 colors, which take seconds at most.
+    seed : int, optional
+        Where chance begins, 0 to 2^63 - 1; default 0.
     nest : Tiling, optional
-        A packing over one color less that is to be the north-west part.
+        A packing over one color less that is to be the north-west part; by default any part will do.
     progress : callable, optional
+        Called as ``progress(done, total, what)`` during the work; raise `Cancelled` from it to stop.
 
     Returns
     -------
@@ -250,8 +282,14 @@ def random_packing(
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of a wrong type.
     TilewrightValueError
-        Another kind of set, more than 3 colors, or a nest that no packing holds.
+        Another kind of set, more than 3 colors, a nest that no packing holds, or a seed out of range.
+
+    Notes
+    -----
+    Lagae 2007, section 5.5.3.
     """
     if max(check_kind(tiles).colors) > _MOST_FOUND:
         raise TilewrightValueError(

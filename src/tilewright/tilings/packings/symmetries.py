@@ -14,19 +14,37 @@ from tilewright.tilings.packings.search import Cells, check_kind, hold_every_til
 
 
 def classify_packings(tiles: TileSet, packings: ArrayLike) -> tuple[Cells, NDArray[np.int64]]:
-    """Packings up to symmetry: translation, reflection, rotation and permutation of the colors.
+    """Sort packings into classes up to symmetry.
 
-    The colors of the horizontal and vertical edges of Wang tiles are permuted separately; rotations by a
-    quarter need equally many of both.
+    The symmetries are translation, reflection, rotation and permutation of the colors. The colors of the
+    horizontal and vertical edges of Wang tiles are permuted separately; rotations by a quarter need equally
+    many of both.
 
     Parameters
     ----------
-    packings : array-like of int, shape (packings, height, width), tile indices.
+    tiles : TileSet
+        A complete set of corner tiles or Wang tiles.
+    packings : array-like of int, shape (P, height, width)
+        Tile indices of each packing.
 
     Returns
     -------
-    One packing of each class, int32 (classes, height, width), with tile 0 at cell (0, 0), the first of its
-    class in the order of its tiles; and the class of each packing, int64 (packings,).
+    classes : int32 array, shape (K, height, width)
+        One packing of each class, with tile 0 at cell (0, 0), the first of its class in the order of its
+        tiles.
+    members : int64 array, shape (P,)
+        The class of each packing.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of a wrong type.
+    TilewrightValueError
+        The set is of another kind, or an array has another shape or does not hold every tile once.
+
+    Notes
+    -----
+    Lagae 2007, section 5.5.3.
     """
     cells = as_integers("packings", packings)
     width, height = torus_size(check_kind(tiles))
