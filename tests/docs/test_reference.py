@@ -4,6 +4,7 @@ import importlib.util
 import re
 from collections import Counter
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -45,13 +46,11 @@ def test_names_in_backticks_link_to_their_entry():
     hook = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(hook)
 
-    class Config:
-        markdown_extensions = ["fenced_code"]
-
-    hook.on_config(Config)
+    config = SimpleNamespace(markdown_extensions=["fenced_code"])
+    hook.on_config(config)
 
     def links(text):
-        html = markdown.markdown(text, extensions=Config.markdown_extensions)
+        html = markdown.markdown(text, extensions=config.markdown_extensions)
         return re.findall(r'<autoref identifier="(.*?)"', html)
 
     assert links("`TileSet`, `tw.direct()` and `TileSet.find`") == [
