@@ -18,10 +18,21 @@ def save_array(material: TextureTiles, path: str | Path, *, map: str | None = No
 
     Parameters
     ----------
+    material : TextureTiles
+        Texture tiles over any set.
     path : str or Path
-        PNG or TIFF; EXR for float maps.
+        ``.png`` or ``.tif``; ``.exr`` for float maps.
     map : str, optional
-        The main map by default.
+        Which map of the material; by default the main one.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a path.
+    TilewrightValueError
+        There is no such map, or the suffix does not go with it.
+    TilewrightFileError
+        The file cannot be written.
     """
     name = material.main if map is None else check_choice("map", map, tuple(material.maps))
     tiles = material.maps[name]

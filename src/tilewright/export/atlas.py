@@ -13,14 +13,22 @@ from tilewright.tilings import Packing, packing
 
 
 def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArray[Any], Packing]:
-    """The packed picture of a map, and the packing that says where each tile lies.
+    """Make the packed picture of a map, and the packing that says where each tile lies.
 
     Neighbors match, also around the border, so bilinear filtering across tile borders and mip levels down to
     one texel per tile mix only pixels that may meet (Lagae & Dutré 2006, section 6.2).
 
+    Parameters
+    ----------
+    material : TextureTiles
+        Texture tiles over a complete set.
+    map : str, optional
+        Which map of the material; by default the main one.
+
     Returns
     -------
     pixels : array, shape (rows * tile_size, columns * tile_size, channels)
+        The picture, of the map's type.
     packed : Packing
         ``packed.place(tile)`` is the column and row of a tile.
 
@@ -28,6 +36,16 @@ def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArr
     ------
     TilewrightValueError
         The set is not complete, so it has no packing, or there is no such map.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> photo = np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8)
+    >>> material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size=16)
+    >>> picture, packed = tw.make_atlas(material)
+    >>> picture.shape, packed.size
+    ((64, 64, 3), (4, 4))
     """
     name = material.main if map is None else check_choice("map", map, tuple(material.maps))
     packed = packing(material.tiles)
@@ -39,5 +57,25 @@ def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArr
 
 
 def save_atlas(material: TextureTiles, path: str | Path, *, map: str | None = None) -> None:
-    """Write the packed picture of a map (PNG or TIFF; EXR for float); see `make_atlas`."""
+    """Write the packed picture of a map to a file; see `make_atlas`.
+
+    Parameters
+    ----------
+    material : TextureTiles
+        Texture tiles over a complete set.
+    path : str or Path
+        ``.png`` or ``.tif``; ``.exr`` for float maps.
+    map : str, optional
+        Which map of the material; by default the main one.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a path.
+    TilewrightValueError
+        The set is not complete, so it has no packing, there is no such map, or the suffix does not go with
+        it.
+    TilewrightFileError
+        The file cannot be written.
+    """
     write_image(path, make_atlas(material, map=map)[0])

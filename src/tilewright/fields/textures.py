@@ -25,13 +25,41 @@ class TextureField:
     Parameters
     ----------
     material : TextureTiles
+        The picture of each tile.
     tiling : Tiling
         A tiling of the same tile set.
+
+    Attributes
+    ----------
+    material : TextureTiles
+        The picture of each tile.
+    tiling : Tiling
+        Which tile goes where.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than texture tiles and a tiling.
+    TilewrightValueError
+        The tiling lays another tile set.
 
     Notes
     -----
     Pixel (0, 0) is the north-west pixel of cell (0, 0); x grows east and y grows south. Cells reach
     to +-2^61, so pixel coordinates are Python integers of any size up to that many tiles.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> photo = np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8)
+    >>> material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size=16)
+    >>> field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
+    >>> picture = field.render(x=-1000, y=0, width=60, height=40)
+    >>> picture.shape
+    (40, 60, 3)
+    >>> bool((field.render(x=-990, y=10, width=5, height=5) == picture[10:15, 10:15]).all())
+    True
     """
 
     def __init__(self, material: TextureTiles, tiling: Tiling) -> None:

@@ -19,14 +19,26 @@ _PNG = b"\x89PNG\r\n\x1a\n"
 
 
 def read_image(path: str | Path) -> NDArray[Any]:
-    """The pixels of an image file, shape (height, width, channels), 1 to 4 channels.
+    """Read the pixels of an image file.
 
     8-bit files come as uint8, 16-bit ones as uint16, half and float ones as float32; palettes are
     expanded; alpha is kept as it is in the file, not multiplied in; a photograph that its camera marked
     as turned or mirrored comes upright.
 
+    Parameters
+    ----------
+    path : str or Path
+        PNG, JPEG, TIFF, EXR or another image format.
+
+    Returns
+    -------
+    array, shape (height, width, channels), uint8, uint16 or float32
+        Pixels ``[y, x]`` with row 0 on top, 1 to 4 channels.
+
     Raises
     ------
+    TilewrightTypeError
+        Something else than a path.
     TilewrightFileError
         The file cannot be read, is not an image, is truncated, or has pixels of another kind.
     """
@@ -123,10 +135,36 @@ def first_line(text: str) -> str:
 
 
 def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
-    """Write pixels, shape (height, width, channels), losslessly, or not at all.
+    """Write pixels to an image file without loss, or not at all.
 
-    PNG takes uint8 and uint16, TIFF all types, EXR float32; 1 to 4 channels. The file appears under its
-    name only when it is complete.
+    The file appears under its name only when it is complete.
+
+    Parameters
+    ----------
+    path : str or Path
+        ``.png`` takes uint8 and uint16, ``.tif`` all types, ``.exr`` float32.
+    pixels : array, shape (height, width, channels), uint8, uint16 or float32
+        Pixels ``[y, x]`` with row 0 on top, 1 to 4 channels.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than an array or a path, or pixels of another type.
+    TilewrightValueError
+        Another shape, or a suffix that does not go with the pixels' type.
+    TilewrightFileError
+        The file cannot be written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> pixels = np.arange(12, dtype=np.uint8).reshape(2, 2, 3)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tw.write_image(f"{folder}/small.png", pixels)
+    ...     print(bool((tw.read_image(f"{folder}/small.png") == pixels).all()))
+    True
     """
     path = as_path(path)
     check_type("pixels", pixels, np.ndarray, "an array")

@@ -34,15 +34,32 @@ _SIZE = re.compile(r"\d+k|\d{3,5}(x\d{3,5})?|png|jpg|exr|tif|lod\d|\d+bit")
 
 
 def find_maps(folder: str | Path) -> dict[str, Path]:
-    """The maps in a folder, albedo first, told by the ends of their file names.
+    """Find the maps of a material in a folder, albedo first, by the ends of their file names.
 
     Files of other names are left out, which is said in a warning. Where a material brings its normals both
     ways, OpenGL's are taken.
 
+    Parameters
+    ----------
+    folder : str or Path
+        A folder with image files, such as ``Bricks_Color.png`` and ``Bricks_NormalGL.png``.
+
+    Returns
+    -------
+    dict of str to Path
+        The file of each map, by the map's name.
+
     Raises
     ------
+    TilewrightTypeError
+        Something else than a path.
     TilewrightFileError
         No map was found, or two files claim to be the same one.
+
+    Warns
+    -----
+    TilewrightWarning
+        A file's name does not say which map it is.
     """
     folder = as_path(folder)
     try:

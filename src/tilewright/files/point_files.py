@@ -25,19 +25,25 @@ _NOTE = b"tilewright"
 
 
 def write_points(path: str | Path, points: PointSet | ArrayLike | Blocks, count: int | None = None) -> None:
-    """Write points, a block at a time where they come so; the file appears when it is complete.
+    """Write points to a file, a block at a time where they come so.
+
+    The file appears when it is complete.
 
     Parameters
     ----------
     path : str or Path
         ``.npy``: float64, shape (n, 2). ``.csv``: columns x, y under a header. ``.parquet``: columns x, y,
         and the box of a PointSet. ``.ply``: binary vertices, z = 0.
-    points : PointSet, array of shape (n, 2), or iterable of such arrays
+    points : PointSet, array-like of shape (n, 2), or iterable of such arrays
+        The points, x first; an iterable gives them block by block.
     count : int, optional
-        How many points an iterable gives; NPY and PLY need to say so before the first.
+        How many points an iterable gives, 0 to 2^40, which ``.npy`` and ``.ply`` need to say before the
+        first; not needed otherwise.
 
     Raises
     ------
+    TilewrightTypeError
+        Something else than points, or an iterable without its ``count`` where it is needed.
     TilewrightFileError
         A name of another kind; a file that cannot be written.
     TilewrightValueError
@@ -105,20 +111,37 @@ def check_point_file(path: str | Path) -> Path:
 
 
 def read_points(path: str | Path, box: Box | None = None) -> PointSet:
-    """Read points: the first two columns, or those called x and y.
+    """Read points from a file: its first two columns, or those called x and y.
 
     Parameters
     ----------
     path : str or Path
         ``.npy``, ``.npz`` (an array called points, or the only one), ``.csv``, ``.txt`` or ``.parquet``.
     box : Box, optional
-        Where the points lie. By default the one a Parquet file names, else the smallest plain box around
+        Where the points lie. By default the one that a Parquet file names, else the smallest plain box around
         them, half a mean spacing wider on every side, to whose corner they are moved.
+
+    Returns
+    -------
+    PointSet
+        The points in their box; its method is the name of the file without suffix.
 
     Raises
     ------
+    TilewrightTypeError
+        Something else than a path, or a box that is no `Box`.
     TilewrightFileError
         No such file, one of another kind, damaged, with fewer than two columns, text, or NaN.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import tilewright as tw
+    >>> points = tw.sample_points("dart", 100, seed=1)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tw.write_points(f"{folder}/dart.parquet", points)
+    ...     print(len(tw.read_points(f"{folder}/dart.parquet")))
+    100
     """
     if box is not None:
         check_box(box)

@@ -12,19 +12,39 @@ READY = ((4, 32, 0.75), (4, 32, 0.70), (3, 32, 0.75), (4, 64, 0.75), (6, 32, 0.7
 
 
 def ready_tiles(colors: int = 4, points: int = 32, rho: float = 0.75) -> PointTiles:
-    """Balanced corner-based point tiles that are stored with the package.
+    """Give balanced point tiles with colored corners that are stored with the package.
 
-    They were made by `poisson_tiles`; of eight seeds the one with the lowest spikes, which ``recipe`` tells.
+    They were made by `poisson_tiles`; of eight seeds the one with the lowest spikes was kept, and ``recipe``
+    names it. There are sets of (colors, points, rho) (4, 32, 0.75), (4, 32, 0.70), (3, 32, 0.75), (4, 64,
+    0.75) and (6, 32, 0.70).
 
     Parameters
     ----------
-    colors, points, rho
-        One of `READY`: (4, 32, 0.75), (4, 32, 0.70), (3, 32, 0.75), (4, 64, 0.75), (6, 32, 0.70).
+    colors : int, optional
+        Corner colors: 3, 4 or 6; default 4.
+    points : int, optional
+        Points per tile: 32 or 64; default 32.
+    rho : float, optional
+        Relative radius: 0.70 or 0.75; default 0.75.
+
+    Returns
+    -------
+    PointTiles
+        colors^4 tiles with ranks, ``figures`` and ``recipe``.
 
     Raises
     ------
+    TilewrightTypeError
+        A number of colors or points that is not an integer.
     TilewrightValueError
         There is no such set; the message names those there are.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> blue = tw.ready_tiles()
+    >>> len(blue.tiles), blue.density, round(blue.distance, 3)
+    (256, 32.0, 0.142)
     """
     wanted = (check_int("colors", colors, 1, 16), check_int("points", points, 1, 10**6), float(rho))
     if wanted not in READY:

@@ -22,10 +22,29 @@ def save(material: TextureTiles | PointTiles, folder: str | Path) -> None:
     A folder that holds a tile set and nothing else is replaced; any other one that is not empty is
     refused.
 
+    Parameters
+    ----------
+    material : TextureTiles or PointTiles
+        What is to be stored.
+    folder : str or Path
+        Where it is to be stored; the folder above must be there.
+
     Raises
     ------
+    TilewrightTypeError
+        Something else than texture tiles or point tiles, or no path.
     TilewrightFileError
         The folder cannot be written, or the disk is full; nothing half-written is left.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import tilewright as tw
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tw.save(tw.ready_tiles(), f"{folder}/blue")
+    ...     blue = tw.load(f"{folder}/blue")
+    >>> len(blue.tiles), blue.density
+    (256, 32.0)
     """
     check_type("material", material, (TextureTiles, PointTiles), "TextureTiles or PointTiles")
     with whole_folder(folder, find_objection) as unfinished:
@@ -43,8 +62,20 @@ def check_savable(folder: str | Path) -> None:
 def load(folder: str | Path) -> TextureTiles | PointTiles:
     """Read a tile set from a folder, every file checked against its checksum.
 
+    Parameters
+    ----------
+    folder : str or Path
+        A folder that `save` or a command wrote.
+
+    Returns
+    -------
+    TextureTiles or PointTiles
+        What the folder holds.
+
     Raises
     ------
+    TilewrightTypeError
+        Something else than a path.
     TilewrightFileError
         There is no such folder, a file is missing or was changed, the manifest is damaged, newer than
         this program, or names a file outside the folder.
@@ -75,7 +106,23 @@ def load(folder: str | Path) -> TextureTiles | PointTiles:
 
 
 def load_texture(folder: str | Path) -> TextureTiles:
-    """`load`, if the folder holds texture tiles."""
+    """Read texture tiles from a folder.
+
+    Parameters
+    ----------
+    folder : str or Path
+        A folder that `save` or a command wrote.
+
+    Returns
+    -------
+    TextureTiles
+        What the folder holds.
+
+    Raises
+    ------
+    TilewrightFileError
+        The folder cannot be read, as `load` tells, or holds points.
+    """
     material = load(folder)
     if not isinstance(material, TextureTiles):
         raise TilewrightFileError(
@@ -85,7 +132,23 @@ def load_texture(folder: str | Path) -> TextureTiles:
 
 
 def load_points(folder: str | Path) -> PointTiles:
-    """`load`, if the folder holds point tiles."""
+    """Read point tiles from a folder.
+
+    Parameters
+    ----------
+    folder : str or Path
+        A folder that `save` or a command wrote.
+
+    Returns
+    -------
+    PointTiles
+        What the folder holds.
+
+    Raises
+    ------
+    TilewrightFileError
+        The folder cannot be read, as `load` tells, or holds a texture.
+    """
     tiles = load(folder)
     if not isinstance(tiles, PointTiles):
         raise TilewrightFileError(

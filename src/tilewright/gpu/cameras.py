@@ -52,13 +52,21 @@ class OrthographicCamera(Camera):
 
     Parameters
     ----------
-    x, y : int or float
-        The north-west corner, in texels: pixels of the tiles, as in `TextureField.render`. Integers of any
-        size are exact.
-    width, height : int
-        Pixels of the picture, 1 to 32,768.
-    scale : float
-        Texels per pixel, 2^-16 to 2^16: 1 shows `TextureField.render`, 8 an eighth of its size.
+    x, y : int or float, optional
+        The north-west corner, in texels: pixels of the tiles, as in `TextureField.render`; default 0.
+        Integers of any size are exact.
+    width, height : int, optional
+        Pixels of the picture, 1 to 32,768; default 1,024.
+    scale : float, optional
+        Texels per pixel, 2^-16 to 2^16; default 1, which shows the pixels of `TextureField.render`. 8 shows
+        them at an eighth of their size.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument that is no number.
+    TilewrightValueError
+        A number out of range.
     """
 
     x: float = 0
@@ -78,6 +86,27 @@ class OrthographicCamera(Camera):
         return "nearest" if exact else "trilinear"
 
     def sight(self, left: int, top: int, width: int, height: int, tile_size: int) -> Sight:
+        """Tell what a block of the picture sees; its pixels count from its own corner.
+
+        Parameters
+        ----------
+        left, top : int
+            North-west pixel of the block.
+        width, height : int
+            Size of the block in pixels.
+        tile_size : int
+            Texels along a tile.
+
+        Returns
+        -------
+        Sight
+            A cell, and a homography from pixels to tiles counted from it.
+
+        Raises
+        ------
+        TilewrightValueError
+            The block sees cells that are too far out.
+        """
         step = Fraction(self.scale) / tile_size
         x, y = Fraction(self.x) / tile_size + left * step, Fraction(self.y) / tile_size + top * step
         check_reach(self.x, self.y, tile_size, max(self.width, self.height) * float(step))
@@ -91,18 +120,26 @@ class PerspectiveCamera(Camera):
 
     Parameters
     ----------
-    x, y : int or float
-        The point of the plane below the camera, in texels.
-    altitude : float
-        Height of the camera above the plane, in texels.
-    tilt : float
-        Radians from straight down (0) to the horizon in the middle of the picture (pi / 2).
-    heading : float
-        Direction of view in radians, clockwise from north, which is up in pictures; east is pi / 2.
-    fov : float
-        Vertical angle of view in radians.
-    width, height : int
-        Pixels of the picture, 1 to 32,768. The sky is 0 in all channels.
+    x, y : int or float, optional
+        The point of the plane below the camera, in texels; default 0.
+    altitude : float, optional
+        Height of the camera above the plane, in texels, 0.001 to 10^9; default 512.
+    tilt : float, optional
+        Radians from straight down (0) to the horizon in the middle of the picture (pi / 2); default 1.2.
+    heading : float, optional
+        Direction of view in radians, clockwise from north, which is up in pictures; east is pi / 2; default
+        0.
+    fov : float, optional
+        Vertical angle of view in radians, 0.001 to 3.1; default 0.8.
+    width, height : int, optional
+        Pixels of the picture, 1 to 32,768; default 1,024. The sky is 0 in all channels.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument that is no number.
+    TilewrightValueError
+        A number out of range.
     """
 
     x: float = 0
@@ -127,6 +164,27 @@ class PerspectiveCamera(Camera):
         return "anisotropic"
 
     def sight(self, left: int, top: int, width: int, height: int, tile_size: int) -> Sight:
+        """Tell what a block of the picture sees; its pixels count from its own corner.
+
+        Parameters
+        ----------
+        left, top : int
+            North-west pixel of the block.
+        width, height : int
+            Size of the block in pixels.
+        tile_size : int
+            Texels along a tile.
+
+        Returns
+        -------
+        Sight
+            A cell, and a homography from pixels to tiles counted from it.
+
+        Raises
+        ------
+        TilewrightValueError
+            The camera stands too far out.
+        """
         check_reach(self.x, self.y, tile_size, 0)
         foot = [Fraction(c) / tile_size for c in (self.x, self.y)]
         rows = self._rows(tile_size) @ np.array([[1, 0, left], [0, 1, top], [0, 0, 1]])

@@ -67,16 +67,22 @@ class GpuField:
         self._painter = Painter(open_gpu(), lookup, hash, pixels)
 
     def render(self, camera: Camera) -> NDArray[Any]:
-        """What a camera sees.
+        """Draw what a camera sees.
 
         Parameters
         ----------
         camera : OrthographicCamera or PerspectiveCamera
+            Where the plane is seen from, and the size of the picture.
 
         Returns
         -------
-        array, shape (height, width, channels), of the map's type
-            0 in all channels where the camera sees the sky.
+        array, shape (height, width, channels)
+            Pixels of the map's type, 0 in all channels where the camera sees the sky.
+
+        Raises
+        ------
+        GpuError
+            The GPU is lost or out of memory.
         """
         return self._painter.paint(camera, self.material.tile_size, self._view)
 

@@ -22,8 +22,16 @@ class GpuPicture:
     ----------
     pixels : array, shape (side, side, channels), uint8, uint16 or float32
         A square; its side is best a power of two.
-    kind : str
-        What it holds, as in ``TextureTiles.kinds``.
+    kind : str, optional
+        What it holds: ``"color"`` (default), ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
+        ``"normal-dx"``.
+
+    Raises
+    ------
+    TilewrightValueError
+        An unknown kind, or pixels that are no square.
+    GpuError
+        There is no GPU or no wgpu, or the texture is too large.
     """
 
     def __init__(self, pixels: NDArray[Any], kind: str = "color") -> None:
@@ -35,7 +43,23 @@ class GpuPicture:
         self._painter = Painter(open_gpu(), plain_layout(pixels, kind), None, form)
 
     def render(self, camera: Camera) -> NDArray[Any]:
-        """What a camera sees, shape (height, width, channels); see `GpuField.render`."""
+        """Draw what a camera sees.
+
+        Parameters
+        ----------
+        camera : OrthographicCamera or PerspectiveCamera
+            Where the plane is seen from, and the size of the picture.
+
+        Returns
+        -------
+        array, shape (height, width, channels)
+            Pixels of the picture's type, 0 in all channels where the camera sees the sky.
+
+        Raises
+        ------
+        GpuError
+            The GPU is lost or out of memory.
+        """
         return self._painter.paint(camera, self._side, self._view)
 
     def _view(self, sight: Sight) -> bytes:

@@ -32,34 +32,50 @@ def open_exemplar(
     normal: str | None = None,
     flatten: bool = False,
 ) -> Exemplar:
-    """An exemplar from files or arrays.
+    """Make an exemplar from files or arrays.
 
     Parameters
     ----------
     photo : path, array of shape (h, w) or (h, w, channels), or dict of map name to either
-        A single picture becomes the map ``"albedo"``; a folder gives the maps its file names tell, see
+        A single picture becomes the map ``"albedo"``; a folder gives the maps that its file names tell, see
         `find_maps`. Sizes may differ by powers of two: smaller maps are enlarged.
-    second : the same, optional
-        The source of the marked corners of an inhomogeneous set.
-    mask, second_mask : path or array, optional
-        Pixels that may be copied: those at least half as bright as white.
+    second : path, array or dict, optional
+        A second photograph in the same forms, the source of the marked corners of an inhomogeneous set; by
+        default there is none.
+    mask : path or array, optional
+        Pixels of ``photo`` that may be copied: those at least half as bright as white; by default all.
+    second_mask : path or array, optional
+        Pixels of ``second`` that may be copied; by default all.
     weights : dict of map name to float, optional
-        How much a map counts when patches are matched and cut; 1 for color, 0.1 for others by default.
+        How much a map counts when patches are matched and cut, 0 to 1,000,000; by default 1 for color and 0.1
+        for others.
     kinds : dict of map name to kind, optional
-        What maps hold: ``"color"``, ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"``,
-        ``"normal-dx"``; told by their names by default.
-    normal : ``"gl"`` or ``"dx"``, optional
-        Whether green points up or down in maps of normals; found from the height map, or from the slopes of
-        the normals themselves, by default, and said in a warning.
-    flatten : bool
-        Take out of color maps the light that varies slowly, which makes repetition visible.
+        What maps hold: ``"color"``, ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
+        ``"normal-dx"``; by default told by their names.
+    normal : str, optional
+        ``"gl"`` or ``"dx"``: whether green points up or down in maps of normals; by default found from the
+        height map, or from the slopes of the normals themselves, and said in a warning.
+    flatten : bool, optional
+        Take out of color maps the light that varies slowly, which makes repetition visible; default False.
+
+    Returns
+    -------
+    Exemplar
+        The maps with their masks, weights and kinds.
 
     Raises
     ------
     TilewrightFileError
         A file is not a whole image, or a folder has no maps that can be told by name.
-    TilewrightValueError, TilewrightTypeError
+    TilewrightTypeError
+        A picture or option of another type.
+    TilewrightValueError
         Maps that cannot belong together: sizes, NaN, a map of normals that holds none.
+
+    Warns
+    -----
+    TilewrightWarning
+        The direction of green in a map of normals was found and not given.
     """
     if second is None and second_mask is not None:
         raise TilewrightValueError(
@@ -88,17 +104,31 @@ def add_maps(
     ----------
     material : TextureTiles
         Where every pixel came from is read from ``material.origins``; nothing is decided anew.
-    photo : dict of map name to path or array
+    photo : path, array or dict of map name to either
         New maps; one of a name that is there replaces it. Sizes may differ from the photograph's by powers
         of two.
-    second : the same, where the material has two sources
-    kinds, normal, flatten
-        As in `open_exemplar`.
+    second : path, array or dict of map name to either, optional
+        The same maps of the second photograph, where the material has two.
+    kinds : dict of map name to kind, optional
+        What maps hold, as in `open_exemplar`; by default told by their names.
+    normal : str, optional
+        ``"gl"`` or ``"dx"``, as in `open_exemplar`; by default found from the maps.
+    flatten : bool, optional
+        Take out of color maps the light that varies slowly; default False.
 
     Returns
     -------
     TextureTiles
         The material with the maps. They count nothing in its recipe, so `resynthesize` makes the same cuts.
+
+    Raises
+    ------
+    TilewrightFileError
+        A file is not a whole image, or a folder has no maps that can be told by name.
+    TilewrightTypeError
+        Something else than texture tiles and pictures.
+    TilewrightValueError
+        Maps for another number of photographs, or of a size that does not go with the photograph's.
     """
     from tilewright.signals.textures.seams import copy_maps
 
@@ -221,25 +251,64 @@ def texture_tiles(
     seed: int = 0,
     **options: Any,
 ) -> TextureTiles:
-    """Texture tiles from a photograph; see `open_exemplar` for the pictures.
+    """Make texture tiles from a photograph, or from a stack of maps.
 
     Parameters
     ----------
+    photo : path, array of shape (h, w) or (h, w, channels), or dict of map name to either
+        A single picture becomes the map ``"albedo"``; a folder gives the maps that its file names tell, see
+        `find_maps`. Arrays hold uint8, uint16 or float32.
     tiles : TileSet, optional
-        The complete corner set over 2 colors by default, over 4 with two photographs.
-    tile_size : int or "auto"
-        Pixels along a tile.
-    seed : int
-        The same seed gives the same bytes.
-    **options
-        ``method``, ``pick``, ``reject``, ``threads`` and ``progress``, as in `tilewright.synthesize`.
+        Corner, corner-coded or Wang tiles; by default the complete corner set over 2 colors, over 4 with two
+        photographs.
+    second : path, array or dict, optional
+        A second photograph for the marked corners of an inhomogeneous set; by default there is none.
+    mask : path or array, optional
+        Pixels of ``photo`` that may be copied: those at least half as bright as white; by default all.
+    second_mask : path or array, optional
+        Pixels of ``second`` that may be copied; by default all.
+    weights : dict of map name to float, optional
+        How much a map counts when patches are matched and cut, 0 to 1,000,000; by default 1 for color and 0.1
+        for others.
+    kinds : dict of map name to kind, optional
+        What maps hold, as in `open_exemplar`; by default told by their names.
+    normal : str, optional
+        ``"gl"`` or ``"dx"``, as in `open_exemplar`; by default found from the maps.
+    flatten : bool, optional
+        Take out of color maps the light that varies slowly; default False.
+    tile_size : int or "auto", optional
+        Pixels along a tile, even, 16 to 1,024; default 128. ``"auto"`` takes a size near 128 that is a whole
+        number of the photograph's periods.
+    seed : int, optional
+        The same seed gives the same bytes; 0 to 2^64 - 1, default 0.
+    **options : str, dict, int or callable
+        ``method``, ``pick``, ``reject``, ``threads`` and ``progress``, as in `synthesize`.
+
+    Returns
+    -------
+    TextureTiles
+        A picture for each tile of the set, and where each of its pixels was copied from.
 
     Raises
     ------
     TilewrightFileError
         A file is not a whole image.
-    TilewrightValueError, TilewrightTypeError
+    TilewrightTypeError
+        A picture or option of another type.
+    TilewrightValueError
         A picture, size or option that cannot be used; the message names it and what is allowed.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> photo = np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8)
+    >>> material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size=16, seed=1)
+    >>> material.pixels.shape
+    (16, 16, 16, 3)
+    >>> source, y, x = material.origins[3, 10, 5]
+    >>> bool((material.pixels[3, 10, 5] == photo[y, x]).all())
+    True
     """
     from tilewright.signals.textures import synthesize
 

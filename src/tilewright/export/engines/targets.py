@@ -36,20 +36,22 @@ def save_for_engine(material: TextureTiles, folder: str | Path, to: str, *, seed
     Parameters
     ----------
     material : TextureTiles
-        Over a complete corner set of 1 to 8 colors.
+        Texture tiles over a complete corner set of 1 to 8 colors.
     folder : str or Path
         Made whole or not at all. A folder of an earlier export is replaced, another one that is not empty
         refused.
     to : str
-        One of `TARGETS`: ``threejs``, ``godot``, ``unity``, ``unreal``, ``blender``; ``glsl`` (with a WebGL 2
-        page), ``hlsl``, ``wgsl``, ``osl``: an include file and how to use it; ``ktx2``: texture arrays;
-        ``atlas``: pictures.
-    seed : int
-        Seed of the tiling, 0 to 2^64 - 1, built into the shader. Cells within 32 bits have the tiles of
-        ``direct(material.tiles, seed)``.
+        ``"threejs"``, ``"godot"``, ``"unity"``, ``"unreal"`` or ``"blender"``; ``"glsl"`` (with a WebGL 2
+        page), ``"hlsl"``, ``"wgsl"`` or ``"osl"``: an include file and how to use it; ``"ktx2"``: texture
+        arrays; ``"atlas"``: pictures.
+    seed : int, optional
+        Seed of the tiling, 0 to 2^64 - 1, built into the shader; default 0. Cells within 32 bits have the
+        tiles of ``direct(material.tiles, seed)``.
 
     Raises
     ------
+    TilewrightTypeError
+        Something else than texture tiles, a path or an integer.
     TilewrightValueError
         No such target, or the tiles are not a complete corner set.
     TilewrightFileError

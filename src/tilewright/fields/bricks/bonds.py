@@ -27,15 +27,30 @@ class BondBricks(BrickPattern):
         ``"running-bond"``: courses shifted by half a brick. ``"flemish-bond"``: bricks and half bricks in
         turn. ``"herringbone"``: bricks at right angles, in zigzags. ``"basket-weave"``: as many bricks as
         make a square, turned from square to square.
-    size : (int, int)
-        Width and height of a brick in pixels, with half the mortar around it. The width is a multiple of 2
-        (running) or 4 (flemish), or of the height (herringbone, basket weave).
+    size : (int, int), optional
+        Width and height of a brick in pixels, with half the mortar around it; default (144, 48). The width is
+        a multiple of 2 (running) or 4 (flemish), or of the height (herringbone, basket weave).
     period : (int or None, int or None), optional
-        Multiples of that width and height after which the wall repeats, for walls that close.
+        Multiples of that width and height after which the wall repeats, for walls that close; by default the
+        wall does not repeat along either axis.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A size or period that is not two numbers.
+    TilewrightValueError
+        An unknown bond, a width that does not go with it, or a period after which it does not close.
 
     Notes
     -----
     The id of a brick is the north-western of the units that it is made of.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> wall = tw.BondBricks("running-bond", size=(24, 8))
+    >>> wall.bricks(0, 0, 48, 32).sides.shape
+    (10, 4)
     """
 
     def __init__(

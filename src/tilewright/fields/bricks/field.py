@@ -45,21 +45,41 @@ class BrickField:
         A tiling of brick Wang tiles (Kaji et al. 2016, section 4), a region of them, or where bricks lie
         otherwise, such as `BondBricks`.
     style : BrickStyle, optional
-        How it looks.
+        How the wall looks; by default ``BrickStyle()``.
     size : (int, int), optional
-        Width and height in pixels of a cell, 144 x 48 by default. A pattern has a size of its own.
-    seed : int
-        0 to 2^64 - 1; how a brick looks depends on its id and the seed only.
+        Width and height in pixels of a cell of a tiling; default (144, 48). A pattern has a size of its own.
+    seed : int, optional
+        How a brick looks depends on its id and this seed only; 0 to 2^64 - 1, default 0.
 
     Attributes
     ----------
     pattern : BrickPattern
+        Where the bricks lie.
+    style : BrickStyle
+        How the wall looks.
     look : Look
         Mortar, bevel and other lengths in pixels. Heights of 65535 stand ``look.relief`` pixels above 0.
+    hash : MixerHash
+        Chance for each brick.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A pattern or style of another type.
+    TilewrightValueError
+        A size beside a pattern that has its own, or a style with too much mortar for bricks of this size.
 
     Notes
     -----
     Pixel (0, 0) is the north-west pixel of cell (0, 0); x grows east and y grows south.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> wall = tw.BrickField(tw.endless_brick_tiling(seed=1), tw.BrickStyle("red"), size=(24, 8), seed=1)
+    >>> bricks = wall.bricks(x=-100, y=0, width=60, height=40)
+    >>> wall.tones(bricks).shape == (len(bricks.ids), 3)
+    True
     """
 
     def __init__(
@@ -123,11 +143,44 @@ class BrickField:
         return self._preview(x, y, width, height)
 
     def bricks(self, x: int, y: int, width: int, height: int) -> Bricks:
-        """All bricks that touch a window of pixels."""
+        """Find all bricks that touch a window of pixels.
+
+        Parameters
+        ----------
+        x, y : int
+            North-west pixel of the window.
+        width, height : int
+            Size of the window in pixels, 1 to 2^31 - 1.
+
+        Returns
+        -------
+        Bricks
+            ``sides``, int64, shape (n, 4): west, north, east and south side of each brick, to the middle of
+            the mortar, in pixels from the north-west of the window; ``ids``, int64, shape (n, 2), the same in
+            every window.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number that is not an integer.
+        TilewrightValueError
+            The window does not lie in the wall.
+        """
         return self.pattern.bricks(x, y, width, height)
 
     def tones(self, bricks: Bricks) -> NDArray[np.uint8]:
-        """The mean color of each brick, sRGB, shape (n, 3)."""
+        """Tell the mean color of each brick.
+
+        Parameters
+        ----------
+        bricks : Bricks
+            n bricks that `BrickField.bricks` found.
+
+        Returns
+        -------
+        uint8 array, shape (n, 3)
+            Colors in sRGB.
+        """
         both = tint_bricks(self.style, self._chances(bricks)[1:6])
         return np.rint(255 * (0.5 * (both[:, :3] + both[:, 3:])).clip(0, 1)).astype(np.uint8)
 

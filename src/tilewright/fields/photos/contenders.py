@@ -29,12 +29,15 @@ class Contender:
     label : str
         What a person calls it.
     field : TextureField or PhotoField
-    lattice : array, shape (2, 2)
+        The plane; its ``render`` gives pixels.
+    lattice : int64 array, shape (2, 2)
         Two vectors (x, y), in pixels, of the lattice that the method works on.
-    fetches, table_fetches : int
-        Texture fetches a sample takes, and fetches from a table that fits in a cache.
+    fetches : int
+        Texture fetches that a sample takes.
+    table_fetches : int
+        Fetches from a table that fits in a cache.
     texels : int
-        Of the finest level of what it fetches from, the table among them.
+        Texels of the finest level of what it fetches from, the table among them.
     """
 
     name: str
@@ -53,12 +56,14 @@ class SideBySide:
     Attributes
     ----------
     material : TextureTiles
+        The material whose photograph it is.
     seed : int
-        Of all tilings and blends.
+        Seed of all tilings and blends.
     contenders : dict of str to Contender
-        In the order they are shown.
+        The methods by name, in the order they are shown: ``"repeat"``, ``"hex"``, ``"noise"``, ``"wang"``,
+        ``"corner"``. Each has a ``label`` and a ``field`` with ``render``.
     figures : dict of str to dict of str to float
-        What `tilewright.compare_textures` measured of each.
+        What `compare_textures` measured of each; empty where nothing was measured.
     """
 
     material: TextureTiles
@@ -80,13 +85,21 @@ def side_by_side(material: TextureTiles, *, seed: int = 0, progress: Progress | 
     material : TextureTiles
         Made from one photograph. The other of Wang and corner tiles is made from the same exemplar, with the
         same tile size, seed and number of colors.
-    seed : int
-        0 to 2^64 - 1.
+    seed : int, optional
+        Seed of all tilings and blends, 0 to 2^64 - 1; default 0.
     progress : callable, optional
-        ``progress(done, total, what)`` while the other set is made.
+        Called as ``progress(done, total, what)`` while the other set is made; raise `Cancelled` in it to
+        stop.
+
+    Returns
+    -------
+    SideBySide
+        The five planes, without figures; `compare_textures` measures them too.
 
     Raises
     ------
+    TilewrightTypeError
+        Something else than texture tiles.
     TilewrightValueError
         The material was made from several photographs.
     """

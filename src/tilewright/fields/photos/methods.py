@@ -29,12 +29,14 @@ class PhotoField(ABC):
     Parameters
     ----------
     photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
-    kind : str
-        What it holds: see `tilewright.signals.textures.kinds.KINDS`.
+        The photograph, 32 to 32,768 pixels on each side.
+    kind : str, optional
+        What it holds: ``"color"`` (default), ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
+        ``"normal-dx"``.
 
     Attributes
     ----------
-    lattice : array, shape (2, 2)
+    lattice : int64 array, shape (2, 2)
         Two vectors (x, y), in pixels, of the lattice that the method works on.
     """
 
@@ -72,7 +74,26 @@ class PhotoField(ABC):
 
 
 class RepeatField(PhotoField):
-    """The photograph laid side by side, as it is."""
+    """The photograph laid side by side, as it is.
+
+    Parameters
+    ----------
+    photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
+        The photograph, 32 to 32,768 pixels on each side.
+    kind : str, optional
+        What it holds: ``"color"`` (default), ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
+        ``"normal-dx"``.
+
+    Attributes
+    ----------
+    lattice : int64 array, shape (2, 2)
+        The photograph's width and height as two vectors (x, y), in pixels.
+
+    Raises
+    ------
+    TilewrightTypeError, TilewrightValueError
+        A photograph of another type, shape or size, or one that holds NaN or infinity.
+    """
 
     def __init__(self, photo: NDArray[Any], kind: str = "color") -> None:
         super().__init__(photo, kind)
@@ -167,12 +188,34 @@ class BlendField(PhotoField):
 
 
 class HexField(BlendField):
-    """Hex-tiling: patches blended sharply, the brighter one further in front.
+    """Hex-tiling: patches blended sharply, the brighter one further in front (Mikkelsen 2022).
 
+    Parameters
+    ----------
+    photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
+        The photograph, 32 to 32,768 pixels on each side.
+    kind : str, optional
+        What it holds: ``"color"`` (default), ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
+        ``"normal-dx"``.
+    seed : int, optional
+        Seed of the places that patches are taken from, 0 to 2^64 - 1; default 0.
+
+    Attributes
+    ----------
+    lattice : int64 array, shape (2, 2)
+        Two vectors (x, y), in pixels, of the triangle grid.
+
+    Raises
+    ------
+    TilewrightTypeError, TilewrightValueError
+        A photograph of another type, shape or size, or one that holds NaN or infinity; a seed out of range.
+
+    Notes
+    -----
     Mikkelsen 2022 ("Practical Real-Time Hex-Tiling", JCGT 11 (2)): weights are barycentric ones to the 7th
     power, times the patch's luminance mixed with 1 (contrast 0.6), and sum to 1. Light is blended linearly.
     His options to turn patches and to sharpen further (gain) stay off, as photographs have a direction of
-    light. No pre-step, no table.
+    light. There is nothing to prepare, and no table.
     """
 
     def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
@@ -191,11 +234,35 @@ class HexField(BlendField):
 
 
 class NoiseField(BlendField):
-    """By-example noise: patches blended so that the histogram of the photograph stays.
+    """By-example noise: patches blended so that the histogram of the photograph stays (Heitz & Neyret 2018).
 
-    Heitz & Neyret 2018, section 4, in the variant of Deliot & Heitz 2019 (see `Gaussianized`): the
-    photograph gets Gaussian histograms once, for each axis of its encoded colors; blending divides by the
-    root of the sum of squared weights, which keeps their variance; a table leads back.
+    Parameters
+    ----------
+    photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
+        The photograph, 32 to 32,768 pixels on each side.
+    kind : str, optional
+        What it holds: ``"color"`` (default), ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
+        ``"normal-dx"``.
+    seed : int, optional
+        Seed of the places that patches are taken from, 0 to 2^64 - 1; default 0.
+
+    Attributes
+    ----------
+    lattice : int64 array, shape (2, 2)
+        Two vectors (x, y), in pixels, of the triangle grid.
+    gaussian : Gaussianized
+        The photograph with Gaussian histograms, and the table that leads back.
+
+    Raises
+    ------
+    TilewrightTypeError, TilewrightValueError
+        A photograph of another type, shape or size, or one that holds NaN or infinity; a seed out of range.
+
+    Notes
+    -----
+    Heitz & Neyret 2018, section 4, in the variant of Deliot & Heitz 2019: the photograph gets Gaussian
+    histograms once, for each axis of its encoded colors; blending divides by the root of the sum of squared
+    weights, which keeps their variance; a table leads back.
     """
 
     def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:

@@ -25,11 +25,13 @@ class PointWindow:
     Attributes
     ----------
     points : float64 array, shape (n, 2)
+        The points, x first, in tiles.
     cells : int64 array, shape (n, 2)
         The cell (x, y) each point lies in.
     numbers : int64 array, shape (n,)
         Its number among the points of its tile.
     ranks : float32 array, shape (n,)
+        Its rank, from 0 up to 1.
     bits : int
         Bits that a number takes in an id.
     """
@@ -42,9 +44,14 @@ class PointWindow:
 
     @property
     def ids(self) -> NDArray[np.uint64]:
-        """Cell and number in one word: number, then cell y, then cell x from the low bits up.
+        """Cell and number in one word, uint64, shape (n,): number, cell y and cell x from the low bits up.
 
-        A point has the same id in every window. An error where a cell is too far out to fit.
+        A point has the same id in every window.
+
+        Raises
+        ------
+        TilewrightValueError
+            A cell is too far out to fit.
         """
         half = (64 - self.bits) // 2
         reach = 2 ** (half - 1)

@@ -24,27 +24,44 @@ _MOST_PIXELS = 1024
 
 @dataclass(frozen=True)
 class BrickStyle:
-    """How a wall looks.
+    """How a wall of bricks looks.
 
     Parameters
     ----------
-    colors : str or sequence of (red, green, blue)
-        One of `PALETTES`, or colors of your own, 0 to 255 in sRGB; each brick gets one or a mixture of two.
-    mortar_color : (red, green, blue), optional
-        The palette's by default.
-    mortar : int, optional
-        Pixels between bricks; by default an eighth of a course, less where bricks are thin.
-    bevel : float, optional
-        Pixels over which a brick rises from its edge to its face; 0.8 times the mortar by default.
-    relief : float, optional
-        Pixels from the deepest to the highest place a height map can tell; as deep as the mortar is wide
-        by default.
-    variation : float, 0 to 1
-        How much bricks differ in color, height and tilt.
-    wear : float, 0 to 1
-        How uneven edges are, and how much mortar is smeared over them.
-    grain : float, 0 to 1
-        How sandy the surfaces of brick and mortar are.
+    colors : str or sequence of (red, green, blue), optional
+        ``"red"`` (default), ``"yellow"``, ``"sandstone"`` or ``"gray"``, or colors of your own, whole numbers
+        0 to 255 in sRGB; each brick gets one of them or a mixture of two.
+    mortar_color : (red, green, blue) or None, optional
+        Whole numbers 0 to 255 in sRGB; by default the palette's own.
+    mortar : int or None, optional
+        Width of the mortar between bricks in pixels, 1 to 1,024; by default an eighth of a course, less where
+        bricks are thin.
+    bevel : float or None, optional
+        Pixels over which a brick rises from its edge to its face, 0 to 1,024; by default 0.8 times the
+        mortar.
+    relief : float or None, optional
+        Pixels from the deepest to the highest place that a height map can tell, 0 to 1,024; by default as
+        deep as the mortar is wide.
+    variation : float, optional
+        How much bricks differ in color, height and tilt, 0 to 1; default 1.
+    wear : float, optional
+        How uneven edges are and how much mortar is smeared over them, 0 to 1; default 1.
+    grain : float, optional
+        How sandy the surfaces of brick and mortar are, 0 to 1; default 1.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A color that is not three whole numbers, or another setting that is no number.
+    TilewrightValueError
+        An unknown palette, or a number out of range.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> style = tw.BrickStyle("sandstone", wear=0.2)
+    >>> style.palette.shape
+    (7, 3)
     """
 
     colors: str | Sequence[Color] = "red"
@@ -73,18 +90,30 @@ class BrickStyle:
 
     @property
     def palette(self) -> NDArray[np.float64]:
-        """Colors of bricks, 0 to 1, shape (n, 3)."""
+        """Colors of bricks, float64, shape (n, 3), sRGB from 0 to 1."""
         colors = _read(PALETTES[self.colors][0]) if isinstance(self.colors, str) else self.colors
         return np.array(colors, np.float64) / 255
 
     @property
     def lime(self) -> NDArray[np.float64]:
-        """The color of mortar, 0 to 1, shape (3,)."""
+        """The color of mortar, float64, shape (3,), sRGB from 0 to 1."""
         usual = PALETTES[self.colors if isinstance(self.colors, str) else "red"][1]
         return np.array(self.mortar_color or _read(usual)[0], np.float64) / 255
 
     def fit(self, course: int, thinnest: int) -> "Look":
-        """The lengths for bricks of this height and this least width or height, in pixels.
+        """Find the lengths of the style for bricks of a certain size.
+
+        Parameters
+        ----------
+        course : int
+            Usual height of a brick in pixels, with half the mortar around it.
+        thinnest : int
+            The least width or height of any brick in pixels, with half the mortar around it.
+
+        Returns
+        -------
+        Look
+            Widths of mortar, bevel and other lengths in pixels.
 
         Raises
         ------

@@ -30,19 +30,21 @@ _FINE = 8
 def brick_texture_tiles(
     tiles: TileSet, style: BrickStyle | None = None, *, tile_size: int = 128, seed: int = 0
 ) -> TextureTiles:
-    """A material over a set of brick Wang tiles (Kaji et al. 2016, section 4).
+    """Paint a material over a set of brick Wang tiles (Kaji et al. 2016, section 4).
 
     Parameters
     ----------
     tiles : TileSet
-        Wang tiles, each traversed by a line: W and E the same, or N and S.
+        Wang tiles, each traversed by a line: W and E the same, or N and S; `brick_tiles` makes such a set.
     style : BrickStyle, optional
-        Its ``variation`` does not count: a brick lies on many tiles, which know nothing of each other, so
-        bricks have one tone; stains and grain are theirs. For bricks of different colors see `BrickField`.
-    tile_size : int
-        Pixels along a tile, 32 to 1024; tiles are square, so bricks are as wide as high on average.
-    seed : int
-        The same seed gives the same bytes.
+        How the bricks look; by default ``BrickStyle()``. Its ``variation`` does not count: a brick lies on
+        many tiles, which know nothing of each other, so all bricks have one tone, with stains and grain. For
+        bricks of different colors see `BrickField`.
+    tile_size : int, optional
+        Pixels along a tile, 32 to 1,024; default 128. Tiles are square, so bricks are as wide as high on
+        average.
+    seed : int, optional
+        The same seed gives the same bytes; 0 to 2^64 - 1, default 0.
 
     Returns
     -------
@@ -52,8 +54,10 @@ def brick_texture_tiles(
 
     Raises
     ------
+    TilewrightTypeError
+        A set, style or number of another type.
     TilewrightValueError
-        A tile that no line traverses; a style with too much mortar for bricks of this size.
+        A tile that no line traverses, or a style with too much mortar for bricks of this size.
 
     Notes
     -----

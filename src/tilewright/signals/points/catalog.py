@@ -72,27 +72,39 @@ def make_point_tiles(
     progress: Progress | None = None,
     **settings: Any,
 ) -> PointTiles:
-    """Point tiles of any kind, by name.
+    """Make point tiles of any kind, by name.
 
     Parameters
     ----------
-    method : str
-        A name of `TILE_METHODS`.
+    method : str, optional
+        ``"corner"`` (default): balanced tiles with colored corners. ``"corner-relaxed"``: the same as Lagae &
+        Dutré 2006 made them. ``"edge"``: Wang tiles (Lagae & Dutré 2005a). ``"template"``: one tile with 128
+        interiors (Lagae & Dutré 2005b). ``"shade"``: Shade et al. 2000. ``"hiller"``: Hiller et al. 2001.
+        ``"kopf"``: tiles that subdivide (Kopf et al. 2006).
     points : int, optional
-        Per tile; the kind's usual number by default.
+        Points per tile; by default the method's usual number.
     rho : float, optional
-        Relative radius; the kind's usual one by default.
-    colors : int
-        Of corner tiles.
-    seed : int or numpy Generator
+        Relative radius; by default the method's usual one. ``"hiller"`` and ``"kopf"`` take none.
+    colors : int, optional
+        Colors of corner tiles; default 4.
+    seed : int or numpy Generator, optional
+        The same seed gives the same points; default 0.
     progress : callable, optional
-    **settings
-        What else the kind's function takes.
+        Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop.
+    **settings : int, float or str
+        Further parameters of the method's own function, such as ``variants`` of `poisson_tiles`.
 
     Returns
     -------
     PointTiles
-        Its figures hold the spikes, see `find_spikes`.
+        The set; its ``figures`` hold the spikes, see `find_spikes`.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A relative radius for a method that takes none, or an argument of another type.
+    TilewrightValueError
+        An unknown method, or a number that the method cannot use.
     """
     known = TILE_METHODS[check_choice("method", method, tuple(TILE_METHODS))]
     given: dict[str, Any] = {"seed": seed, "progress": progress, **known.settings}

@@ -23,22 +23,34 @@ class PointTiles:
     tiles : TileSet
         What may meet.
     points : float32 array, shape (P, 2)
-        The points of all tiles one after another, 0 <= x, y < 1 within the tile, x first. Those of one
-        tile lie in the order of their ranks.
+        The points of all tiles one after another, x first, in tile lengths: 0 <= x, y < 1 within the tile.
+        Those of one tile lie in the order of their ranks.
     starts : int64 array, shape (T V + 1,)
         Where each tile's points start and end; variant v of tile t is number t V + v.
     ranks : float32 array, shape (P,)
-        0 <= rank < 1: keeping the points of rank below d in every tile leaves a share of about d of them,
-        as evenly spread as can be.
+        From 0 up to 1: keeping the points of rank below d in every tile leaves a share of about d of them, as
+        evenly spread as can be.
     variants : int
-        Interchangeable fillings of every tile.
+        Interchangeable fillings V of every tile, 1 to 2^31; default 1.
     distance : float
-        No two points of any tiling are closer, in tile lengths; 0 where nothing is promised.
+        No two points of any tiling are closer, in tile lengths, 0 to 1.5; default 0, which promises nothing.
     method : str
+        Name of the method that made the set; default ``"given"``.
     recipe : dict
         Settings and seed, plain JSON values: what is needed to make the set again.
     figures : dict
-        What was found when the set was made: the promise's check, spikes.
+        What was found when the set was made: the closeness of points, the spikes of the spectrum.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a tile set, numbers, a word and a dict.
+    TilewrightValueError
+        Arrays of other shapes, points outside their tile, or ranks that fall within a tile.
+
+    See Also
+    --------
+    poisson_tiles, make_point_tiles, ready_tiles
     """
 
     tiles: TileSet
@@ -97,9 +109,29 @@ class PointTiles:
         ranks: list[NDArray[np.float64]] | None = None,
         **rest: Any,
     ) -> "PointTiles":
-        """From the points of each tile (variants of a tile one after another) and their ranks.
+        """Make point tiles from the points of each tile and their ranks.
 
-        Points without ranks get those of their order.
+        Parameters
+        ----------
+        tiles : TileSet
+            What may meet; T tiles.
+        rows : list of float array, shape (n, 2)
+            The points of each tile, x first, in tile lengths from 0 up to 1; the V variants of a tile one
+            after another, T V arrays in all.
+        ranks : list of float array, shape (n,), optional
+            Ranks from 0 up to 1 for the same points, by which they are sorted; by default the points' order.
+        **rest : int, float, str or dict
+            Further attributes: ``variants``, ``distance``, ``method``, ``recipe``, ``figures``.
+
+        Returns
+        -------
+        PointTiles
+            The points in the order of their ranks.
+
+        Raises
+        ------
+        TilewrightTypeError, TilewrightValueError
+            As `PointTiles` raises them.
         """
         if ranks is None:
             ranks = [np.arange(len(r)) / max(len(r), 1) for r in rows]
@@ -122,11 +154,31 @@ class PointTiles:
 
     @property
     def counts(self) -> NDArray[np.int64]:
-        """Points of every tile and variant, shape (T V,)."""
+        """Number of points of every tile and variant, int64, shape (T V,)."""
         return np.diff(self.starts)
 
     def tile(self, index: int, variant: int = 0) -> NDArray[np.float32]:
-        """Points of one tile, shape (n, 2), in the order of their ranks."""
+        """Points of one tile.
+
+        Parameters
+        ----------
+        index : int
+            Which tile, 0 to T - 1.
+        variant : int, optional
+            Which filling of it, 0 to V - 1; default 0.
+
+        Returns
+        -------
+        float32 array, shape (n, 2)
+            The points in the order of their ranks, x first, in tile lengths from 0 up to 1.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number that is not an integer.
+        TilewrightValueError
+            There is no such tile or variant.
+        """
         index = check_int("index", index, 0, len(self.tiles) - 1)
         row = index * self.variants + check_int("variant", variant, 0, self.variants - 1)
         return self.points[self.starts[row] : self.starts[row + 1]]

@@ -119,7 +119,7 @@ def subdivide(children: NDArray[np.int32], cells: NDArray[np.int32]) -> NDArray[
 
 
 def recursive_points(tiles: PointTiles, cells: ArrayLike, density: float) -> NDArray[np.float64]:
-    """Points of any density over a tiling (Kopf, Cohen-Or, Deussen & Lischinski 2006).
+    """Give points of any density over a tiling (Kopf, Cohen-Or, Deussen & Lischinski 2006).
 
     Cells are subdivided until their points suffice, and then give those of low rank. Raising the density only
     adds points; tiles of the same index hold the same points.
@@ -127,16 +127,23 @@ def recursive_points(tiles: PointTiles, cells: ArrayLike, density: float) -> NDA
     Parameters
     ----------
     tiles : PointTiles
-        Made by `kopf_tiles`.
+        Tiles that subdivide into tiles of their own set: ``make_point_tiles("kopf")``.
     cells : array-like of int, shape (height, width)
         Tile indices, as from ``direct(...).indices(...)``.
     density : float
-        Points per cell, from 0 on; 2^28 in all.
+        Points per cell, from 0 on; at most 2^28 points in all.
 
     Returns
     -------
     float64 array, shape (P, 2)
-        0 <= x < width, 0 <= y < height.
+        Points in cells, x first: 0 <= x < width, 0 <= y < height.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than point tiles and numbers.
+    TilewrightValueError
+        Tiles that do not subdivide, indices that are not there, or a density out of range.
     """
     children = children_of(tiles)
     at = as_integers("cells", cells).astype(np.int32)

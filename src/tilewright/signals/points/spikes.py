@@ -56,13 +56,18 @@ def frequencies(reach: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
 
 @dataclass(frozen=True)
 class Spikes:
-    """The highest spike of a set, as |m|^2 / N: times the number of tiles it is the height in a plane.
+    """The highest spikes in the spectrum of a set of point tiles.
+
+    A spike is told as |m|^2 / N; times the number of tiles of a plane it is the spike's height there.
 
     Attributes
     ----------
-    window : the highest within the periodogram of 16,384 points.
-    doubled : the highest within twice its width.
-    floor : sum w^2 / N, what a spectrum of these points comes to on average over all frequencies.
+    window : float
+        The highest spike within the periodogram of 16,384 points.
+    doubled : float
+        The highest spike within twice the width of that periodogram.
+    floor : float
+        The sum of w^2 / N: what a spectrum of these points comes to on average over all frequencies.
     """
 
     window: float
@@ -71,12 +76,47 @@ class Spikes:
 
     @staticmethod
     def usual_tiles(points: float) -> int:
-        """How many tiles 16,384 points are, along a square: 23^2 = 529 of 32 points, 256 of 64."""
+        """Tell how many tiles, in a square, hold about 16,384 points.
+
+        Parameters
+        ----------
+        points : float
+            Points per tile.
+
+        Returns
+        -------
+        int
+            A square number of tiles: 23^2 = 529 for 32 points per tile, 256 for 64.
+        """
         return round(sqrt(_USUAL_POINTS / points)) ** 2
 
 
 def find_spikes(tiles: PointTiles) -> Spikes:
-    """The spikes that every tiling with a set has, all its tiles being equally frequent."""
+    """Find the spikes that the spectrum of every tiling with a set has, all its tiles being equally frequent.
+
+    Parameters
+    ----------
+    tiles : PointTiles
+        A set that holds points.
+
+    Returns
+    -------
+    Spikes
+        The highest spikes, for each tile of a plane.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than point tiles.
+    TilewrightValueError
+        The tiles hold no points.
+
+    Notes
+    -----
+    In a plane of T tiles the power at an integer frequency k, in cycles per tile, is on average T |m(k)|^2 / N,
+    with m(k) the mean over all tiles of the sum of exp(-2 pi i k . x) over their N points. So the height of
+    every spike follows from the set alone.
+    """
     check_type("tiles", tiles, PointTiles, "PointTiles")
     n = tiles.density
     if n == 0:

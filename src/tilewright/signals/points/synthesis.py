@@ -37,39 +37,53 @@ def poisson_tiles(
     seed: Seed = 0,
     progress: Progress | None = None,
 ) -> PointTiles:
-    """Points over a tile set, none closer than 2 rho r_max in any tiling, exactly so many in every tile.
+    """Make Poisson disk tiles: N points in every tile, none closer than 2 rho r_max in any tiling.
 
     Parameters
     ----------
     tiles : TileSet
         `corner_tiles` (Lagae & Dutré 2006, section 7; Lagae 2007, section 4.5), or `crossed_wang_tiles` for
         edge-based tiles (Lagae 2007, section 4.3). ``corner_tiles(1)`` with ``variants`` makes a set of
-        template tiles (section 4.4).
-    points : int
-        Points per tile N, 8 to 256.
-    rho : float
-        Relative radius: the least distance is 2 rho r_max, r_max = (2 sqrt(3) N)^(-1/2) tiles.
-    method : str
-        ``"balanced"``: small corner regions, points pushed apart, and all of them moved until no frequency
-        of the tile lattice stands out. ``"relaxed"``, the papers' construction: octagonal corner regions,
-        relaxation dart throwing, 16 iterations of Lloyd's method; what is then still too close is pushed
-        apart rather than made anew.
-    variants : int
-        Interchangeable interiors for every tile.
-    seed : int or numpy Generator
+        template tiles (section 4.4). At most 4,096 tiles.
+    points : int, optional
+        Points per tile N, 8 to 256; default 32.
+    rho : float, optional
+        Relative radius, above 0 and up to what the method reaches; default 0.75. The least distance is
+        2 rho r_max, with r_max = (2 sqrt(3) N)^(-1/2) tile lengths.
+    method : str, optional
+        ``"balanced"`` (default): small corner regions, points pushed apart, and all of them moved until no
+        frequency of the tile lattice stands out. ``"relaxed"``, the papers' construction: octagonal corner
+        regions, relaxation dart throwing, 16 iterations of Lloyd's method; what is then still too close is
+        pushed apart rather than made anew.
+    variants : int, optional
+        Interchangeable interiors of every tile; default 1.
+    seed : int or numpy Generator, optional
+        The same seed gives the same points; default 0.
     progress : callable, optional
-        Raise `Cancelled` in it to stop; nothing is left behind.
+        Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop, which leaves nothing
+        behind.
 
     Returns
     -------
     PointTiles
-        With ranks. ``figures`` holds the closeness found over all admissible neighborhoods (see
-        `find_closeness`) and the spikes (see `find_spikes`).
+        Point tiles with ranks. Their ``figures`` hold the closeness found over all admissible neighborhoods
+        (see `find_closeness`) and the spikes (see `find_spikes`).
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of another type.
     TilewrightValueError
         The disks are too large for a tile, or rho cannot be reached.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> blue = tw.poisson_tiles(tw.corner_tiles(2), points=16, rho=0.7, method="relaxed", seed=1)
+    >>> len(blue.tiles), blue.density
+    (16, 16.0)
+    >>> blue.tile(0).shape
+    (16, 2)
     """
     check_tiles("tiles", tiles)
     if len(tiles) > _MOST_TILES:

@@ -24,24 +24,48 @@ WEIGHTS = {kind: 1.0 if kind == "color" else 0.1 for kind in KINDS}
 
 @dataclass(frozen=True, eq=False)
 class Exemplar:
-    """One or more photographs that share a list of maps.
+    """One or more photographs that share a list of maps: what a texture is made from.
 
     Parameters
     ----------
     sources : sequence of dict of str to array, shape (h, w, channels) or (h, w)
-        The maps of each source: uint8, uint16 or float32 with 1 to 4 channels. All maps of a source
-        have one size; all sources have the same maps, with the same type and channels.
+        The maps of each source: uint8, uint16 or float32, 1 to 4 channels, 32 to 32,768 pixels on each side.
+        All maps of a source have one size; all sources have the same maps, with the same type and channels.
     masks : sequence of bool array, shape (h, w), or None, optional
-        For each source, the pixels that may be copied; everything by default.
+        For each source, the pixels that may be copied; by default all of them.
     weights : dict of str to float, optional
-        How much each map counts when patches are matched and cut; by default as its kind does, see `WEIGHTS`.
+        How much each map counts when patches are matched and cut, 0 to 1,000,000; by default 1 for maps of
+        color and 0.1 for others.
     kinds : dict of str to str, optional
-        What each map holds, one of `KINDS`; guessed from its name by default.
+        What each map holds: ``"color"``, ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` (green
+        points up) or ``"normal-dx"`` (green points down); by default guessed from the map's name.
+
+    Attributes
+    ----------
+    sources : tuple of dict of str to array, shape (h, w, channels)
+        The maps as they were given, each with an axis of channels.
+    masks : tuple of bool array, shape (h, w)
+        For each source, the pixels that may be copied.
+    weights : dict of str to float
+        The weight of every map.
+    kinds : dict of str to str
+        The kind of every map.
 
     Raises
     ------
-    TilewrightTypeError, TilewrightValueError
-        A map of another type, size or number of channels; NaN or infinity; a mask that leaves nothing.
+    TilewrightTypeError
+        Something that is not a sequence of dicts of arrays, or a map of another type.
+    TilewrightValueError
+        Maps that differ in size or number of channels, NaN or infinity, or a mask that leaves nothing.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> photo = np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8)
+    >>> exemplar = tw.Exemplar([{"albedo": photo, "height": photo[..., 0]}])
+    >>> exemplar.kinds
+    {'albedo': 'color', 'height': 'height'}
     """
 
     sources: tuple[Maps, ...]

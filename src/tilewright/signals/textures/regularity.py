@@ -17,13 +17,16 @@ _LARGEST_SIDE = 1024
 
 @dataclass(frozen=True)
 class Regularity:
-    """How an exemplar repeats.
+    """How an exemplar repeats by itself.
 
     Attributes
     ----------
-    period : (vertical, horizontal) spacing of rows and columns in pixels, None where there is none.
-    strength : autocorrelation of the picture itself at those lags; low where only the courses repeat.
-    clone : lag (y, x) in pixels at which the exemplar shows itself a second time, or None.
+    period : (float or None, float or None)
+        Vertical and horizontal spacing of rows and columns in pixels, None where there is none.
+    strength : (float, float)
+        Autocorrelation of the picture itself at those lags, 0 to 1; low where only the courses repeat.
+    clone : (int, int) or None
+        Lag (y, x) in pixels at which the exemplar shows itself a second time, None if it does not.
     """
 
     period: tuple[float | None, float | None]
@@ -32,13 +35,32 @@ class Regularity:
 
     @property
     def shortest_period(self) -> float | None:
-        """The shorter period of an exemplar that is periodic, else None."""
+        """The shorter period in pixels of an exemplar that is periodic, else None."""
         strong = [p for p, s in zip(self.period, self.strength, strict=True) if p and s >= PERIODIC]
         return min(strong, default=None)
 
 
 def find_regularity(pixels: NDArray[Any]) -> Regularity:
-    """Periods and clones of one map, shape (h, w, channels), from its autocorrelation."""
+    """Find the periods and hidden copies in one map, from its autocorrelation.
+
+    Parameters
+    ----------
+    pixels : array, shape (h, w, channels)
+        Any type of numbers; channels are averaged.
+
+    Returns
+    -------
+    Regularity
+        Periods in pixels, how strong they are, and where the map shows itself again.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> checks = np.kron(np.indices((16, 16)).sum(axis=0) % 2, np.ones((10, 10)))[..., np.newaxis]
+    >>> tw.find_regularity(checks).clone is None
+    True
+    """
     step = -(-max(pixels.shape[:2]) // _LARGEST_SIDE)
     gray = pixels[::step, ::step].astype(np.float32).mean(axis=2)
     gray -= gaussian_filter(gray, min(gray.shape) / 8)

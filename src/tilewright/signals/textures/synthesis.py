@@ -52,50 +52,62 @@ def synthesize(
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> TextureTiles:
-    """Synthesize a texture over a tile set.
+    """Synthesize a texture over a tile set, from an exemplar in memory.
 
     Parameters
     ----------
     exemplar : Exemplar
-        One source, or two for an inhomogeneous set: then the upper half of the corner colors is taken
-        from the second (Cohen et al. 2003, section 3.5).
+        One source, or two for an inhomogeneous set: then the upper half of the corner colors is taken from
+        the second (Cohen et al. 2003, section 3.5).
     tiles : TileSet
         Corner, corner-coded or Wang tiles.
-    tile_size : int or "auto"
-        Pixels along a tile, even, 16 to 1024; ``"auto"`` takes a size near 128 that is a whole number
-        of the exemplar's periods.
-    seed : int
-        The same seed gives the same bytes, whatever the number of threads.
+    tile_size : int or "auto", optional
+        Pixels along a tile, even, 16 to 1,024; default 128. ``"auto"`` takes a size near 128 that is a whole
+        number of the exemplar's periods.
+    seed : int, optional
+        The same seed gives the same bytes, whatever the number of threads; 0 to 2^64 - 1, default 0.
     method : str, optional
         For corner tiles ``"nested"`` (default), ``"ng"`` (Ng et al. 2005: one patch per corner color, cut
         in the inscribed circle by one patch per tile; Lagae & Dutré 2006, figure 6d) or ``"squares"``
         (figure 6c); for Wang tiles ``"centered-diamonds"`` (default), ``"diamonds"`` (Cohen et al. 2003;
         figure 6a) or ``"burke"`` (figure 6b).
     pick : dict of str to (source, y, x), optional
-        Places for named patches, instead of a search; see ``recipe["patches"]`` for names and places.
+        Places for named patches, instead of a search; see ``recipe["patches"]`` for names and places. By
+        default every place is searched for.
     reject : dict of str to list of (source, y, x), optional
-        Places named patches must not be taken from, nor within a quarter of a tile.
+        Places that named patches must not be taken from, nor within a quarter of a tile; by default none.
     threads : int, optional
-        All processors by default.
+        Number of threads, 1 to 1,024; by default one for each processor.
     progress : callable, optional
-        ``progress(done, total, what)`` after each patch; raise `Cancelled` in it to stop.
+        Called as ``progress(done, total, what)`` after each patch; raise `Cancelled` in it to stop.
 
     Returns
     -------
     TextureTiles
+        A picture for each tile of the set, and where each of its pixels was copied from.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of another type.
     TilewrightValueError
         The exemplar or its mask is too small for the tile size, the tiles have more than 2^28 pixels
-        together, the method does not go with the set, or
-        too much was rejected.
+        together, the method does not go with the set, or too much was rejected.
 
     Warns
     -----
     TilewrightWarning
         The exemplar holds a copy of itself, or is periodic and the tile size is off its period; the set
         will take minutes.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> photo = np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8)
+    >>> material = tw.synthesize(tw.Exemplar([{"albedo": photo}]), tw.corner_tiles(2), tile_size=16)
+    >>> material.pixels.shape
+    (16, 16, 16, 3)
     """
     check_seed(seed)
     workers = os.cpu_count() or 1 if threads is None else check_int("threads", threads, 1, 1024)
@@ -160,8 +172,33 @@ def resynthesize(
 ) -> TextureTiles:
     """Make a set again with some of its patches rejected ("not this one") or picked by hand.
 
-    ``reject`` names patches of ``material.recipe["patches"]``: the place each was taken from is barred
-    for it from now on. What was rejected and picked before stays so.
+    What was rejected and picked before stays so.
+
+    Parameters
+    ----------
+    material : TextureTiles
+        A set that `synthesize` or `texture_tiles` made.
+    reject : iterable of str, optional
+        Names of patches in ``material.recipe["patches"]``: the place each was taken from is barred for it
+        from now on. By default none.
+    pick : dict of str to (source, y, x), optional
+        Places for named patches, instead of a search; by default none.
+    threads : int, optional
+        Number of threads, 1 to 1,024; by default one for each processor.
+    progress : callable, optional
+        Called as ``progress(done, total, what)`` after each patch; raise `Cancelled` in it to stop.
+
+    Returns
+    -------
+    TextureTiles
+        The set made anew; its recipe remembers what was rejected and picked.
+
+    Raises
+    ------
+    TilewrightTypeError
+        An argument of another type.
+    TilewrightValueError
+        A patch that the set does not have, a set without a recipe, or too much was rejected.
     """
     recipe = Recipe.of(material)
     if isinstance(reject, str) or not isinstance(reject, Iterable):

@@ -24,17 +24,27 @@ class TextureTiles:
         The maps of the material in the order given; the first is the main one.
     sources : tuple of dict of str to array, shape (h, w, channels)
         The exemplars: one dict for each source, with the same map names.
-    origins : array, shape (T, H, W, 3), uint16
-        The source pixel each tile pixel was copied from: (source number, y, x). By construction
+    origins : uint16 array, shape (T, H, W, 3)
+        The source pixel that each tile pixel was copied from: (source number, y, x). By construction
         ``maps[name][t, i, j] == sources[s][name][y, x]``, but for normals and heights near cuts, which
         are closed there.
     recipe : dict
-        Method, seed, parameters and the places of all patches: what is needed to make the set again.
-        Plain JSON values.
+        Method, seed, parameters and the places of all patches, plain JSON values: what is needed to make the
+        set again.
     masks : tuple of bool array, shape (h, w)
         For each source, the pixels that may be copied; empty where all may.
     kinds : dict of str to str
-        What each map holds, one of `KINDS`; guessed from its name where not given.
+        What each map holds: ``"color"``, ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
+        ``"normal-dx"``; guessed from its name where not given.
+
+    Raises
+    ------
+    TilewrightValueError
+        No map, maps of different sizes, or another number of pictures than of tiles.
+
+    See Also
+    --------
+    texture_tiles, synthesize, load
     """
 
     tiles: TileSet
@@ -75,14 +85,27 @@ class TextureTiles:
 
     @property
     def pixels(self) -> NDArray[Any]:
-        """The main map, shape (T, H, W, channels)."""
+        """The main map, shape (T, H, W, channels), of its own type."""
         return self.maps[self.main]
 
 
 def copy_from_sources(
     sources: tuple[dict[str, NDArray[Any]], ...], origins: NDArray[np.uint16]
 ) -> dict[str, NDArray[Any]]:
-    """Every map of a material, copied pixel by pixel from the sources along ``origins``."""
+    """Copy every map of a material pixel by pixel from its sources.
+
+    Parameters
+    ----------
+    sources : tuple of dict of str to array, shape (h, w, channels)
+        The maps of each source.
+    origins : uint16 array, shape (T, H, W, 3)
+        Where each pixel comes from: (source number, y, x).
+
+    Returns
+    -------
+    dict of str to array, shape (T, H, W, channels)
+        The maps of the tiles.
+    """
     maps = {}
     s, y, x = origins[..., 0], origins[..., 1], origins[..., 2]
     for name, first in sources[0].items():
