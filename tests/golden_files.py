@@ -43,7 +43,7 @@ COMMANDS = {
     " --colors 2",
     "render": "render set -o plane.png --x -50 --width 120 --height 70 --lattice-seed 7",
     "render TIFF": "render maps -o normal.tif --map normal --width 90 --height 60",
-    "render a density": "render two -o steered.png --density gray.png --cells-per-pixel 2 --width 90 --height 60",
+    "render a density": "render two -o steered.png --density gray.png --cells-per-pixel 2 --width 90 --height 60",  # noqa: E501
     "view": "view set -o page.html --lattice-seed 3",
     "analyze": "analyze set",
     "export": "export set --to wgsl -o wgsl",
@@ -53,7 +53,7 @@ COMMANDS = {
     "points CSV": "points --width 5 --height 4 --x -2.5 -o points.csv",
     "points torus": "points --width 4 --height 3 --torus -o torus.parquet",
     "points of a sampler": "points --method dart --count 300 --torus --seed 2 -o darts.ply",
-    "points of tiles": "points --method corner-relaxed --colors 2 --points 16 --rho 0.7 --count 100 --save kept"
+    "points of tiles": "points --method corner-relaxed --colors 2 --points 16 --rho 0.7 --count 100 --save kept"  # noqa: E501
     " -o relaxed.npy",
     "analyze points": "analyze points.npy --width 4 --height 4",
     "pack": "pack --colors 3 -o packing.npy",
@@ -71,7 +71,7 @@ COMMANDS = {
     "bricks tiles": "bricks --width 6 --height 6 --input photo.png -o wall.npy",
     "bricks bond": "bricks --pattern herringbone --size 48 16 --width 4 --height 4 -o bond.png --map height",
     "flow": "flow --width 10 --height 8 --particles 30 --steps 10 --size 6 -o crowd.gif",
-    "flow density": "flow --width 10 --height 8 --particles 30 --steps 40 --emit 0.1 --kill 0.1 -o density.png",
+    "flow density": "flow --width 10 --height 8 --particles 30 --steps 40 --emit 0.1 --kill 0.1 -o density.png",  # noqa: E501
     "flow positions": "flow --width 10 --height 8 --particles 30 --steps 20 --cyclic --slow 0.2 -o flow.npz",
     "aperiodic": "aperiodic kari-14 --width 12 --height 9 --x 1000000 -o kari.svg",
     "aperiodic set": "aperiodic kari-14 --to vertical --set -o set.npy",

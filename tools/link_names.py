@@ -25,6 +25,7 @@ class _NameLinks(InlineProcessor, Extension):
 
 @event_priority(100)
 def on_config(config):
+    """Have single backticks around public names read as links to their entries."""
     # Not within the text of a link, nor within double backticks.
     name = rf"(?<![`\[\\])`((?:tilewright\.|tw\.)?(?P<name>(?:{PUBLIC})(?:\.\w+)?)(?:\(\))?)`(?!`)"
     config.markdown_extensions.append(_NameLinks(name))

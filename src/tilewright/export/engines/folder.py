@@ -117,8 +117,7 @@ class Kit:
         return lookup(dialect, self.colors, self.seed, self.material.tile_size, self.gutter)
 
     def numbers(self) -> dict[str, str | bool]:
-        """What templates are filled with: the numbers of the lookup, and True for each slot that has a "
-        "map."""
+        """What templates are filled with: the numbers of the lookup, and which slots have a map."""
         slots = {f"has_{name}": name in self.slots for name in ("color", "normal", "roughness", *_SLOTS)}
         return numbers(self.colors, self.seed, self.material.tile_size, self.gutter) | slots
 

@@ -1,5 +1,4 @@
-"""Unity: textures with an importer that keeps their mip levels, Shader Graph functions, a URP "
-"shader."""
+"""Unity: textures, an importer that keeps their mip levels, Shader Graph functions, a URP shader."""
 
 from pathlib import Path
 

@@ -162,8 +162,7 @@ class Surroundings:
         return found
 
     def draw(self, count: int, rng: np.random.Generator) -> NDArray[np.int32]:
-        """``count`` configurations, shape (count, 8), by chance, or all of them over and over if they are
-        fewer."""
+        """``count`` configurations, shape (count, 8), by chance, or all in turn where they are fewer."""
         if count >= self.count:
             return self.find(np.arange(count) % self.count)
         return self.find(np.sort(rng.choice(self.count, count, replace=False)))

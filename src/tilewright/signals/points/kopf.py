@@ -1,5 +1,7 @@
-"""Progressive point tiles that subdivide into tiles of their own set (Kopf, Cohen-Or, Deussen & Lischinski
-2006, "Recursive Wang tiles for real-time blue noise")."""
+"""Progressive point tiles that subdivide into tiles of their own set.
+
+Kopf, Cohen-Or, Deussen & Lischinski 2006, "Recursive Wang tiles for real-time blue noise".
+"""
 
 from dataclasses import dataclass, replace
 from math import sqrt
@@ -226,8 +228,10 @@ def _parts(first: NDArray[np.float64], arrangement: NDArray[np.int32]) -> NDArra
 
 
 def _match(wanted: NDArray[np.float64], parts: NDArray[np.float64], first: int) -> NDArray[np.int64]:
-    """For every point that is wanted the part that takes its place: least squares, with more weight on the
-    ``first`` ones, whose places are those of whole tiles."""
+    """For every point that is wanted, the part that takes its place.
+
+    Least squares, with more weight on the ``first`` ones, whose places are those of whole tiles.
+    """
     from scipy.optimize import linear_sum_assignment
     from scipy.spatial.distance import cdist
 

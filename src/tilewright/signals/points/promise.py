@@ -87,9 +87,10 @@ def find_closeness(tiles: PointTiles, reach: float = 1.0) -> Closeness:
     TilewrightValueError
         Tiles that are not square, or a reach of 0 or less.
 
-    Notes ----- The union of disks that Lagae 2007, section 4.2.3, measures is never built: points less than a
-    tile apart lie in one tile, in two that share an edge or in two that share a corner, and all such pairs
-    are looked at.
+    Notes
+    -----
+    The union of disks that Lagae 2007, section 4.2.3, measures is never built: points less than a tile apart
+    lie in one tile, in two that share an edge or in two that share a corner; all such pairs are looked at.
 
     Examples
     --------

@@ -113,9 +113,9 @@ def find_spikes(tiles: PointTiles) -> Spikes:
 
     Notes
     -----
-    In a plane of T tiles the power at an integer frequency k, in cycles per tile, is on average T |m(k)|^2 / N,
-    with m(k) the mean over all tiles of the sum of exp(-2 pi i k . x) over their N points. So the height of
-    every spike follows from the set alone.
+    In a plane of T tiles the power at an integer frequency k, in cycles per tile, is on average
+    T |m(k)|^2 / N, with m(k) the mean over all tiles of the sum of exp(-2 pi i k . x) over their N points.
+    So the height of every spike follows from the set alone.
     """
     check_type("tiles", tiles, PointTiles, "PointTiles")
     n = tiles.density

@@ -30,11 +30,11 @@ def lay_diamonds(search: PatchSearch, tiles: TileSet, rng: np.random.Generator) 
 
 
 def lay_burke(search: PatchSearch, tiles: TileSet, rng: np.random.Generator) -> Patchwork:
-    """Lagae & Dutré 2006, figure 6b: the north and south samples fill the halves of the tile, and the
-    east and west samples are cut over them anywhere in their halves.
+    """Lagae & Dutré 2006, figure 6b: samples fill halves of the tile.
 
-    The figure is all that the papers tell of Burke's variant, and no text of it was found: this is a
-    reading of its caption.
+    The north and south samples fill the halves, and the east and west samples are cut over them anywhere in
+    their halves. The figure is all that the papers tell of Burke's variant, and no text of it was found:
+    this is a reading of its caption.
     """
     frame = Frame(search.size)
     samples = choose_samples(search, tiles, rng)

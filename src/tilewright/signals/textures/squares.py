@@ -1,5 +1,7 @@
-"""Texture tiles with corner colors as the papers make them: four square patches, with or without a patch
-over the seam (Lagae & Dutré 2006, figure 6c and 6d)."""
+"""Texture tiles with corner colors as the papers make them.
+
+Four square patches, with or without a patch over the seam (Lagae & Dutré 2006, figure 6c and 6d).
+"""
 
 import numpy as np
 
