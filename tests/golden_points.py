@@ -27,7 +27,7 @@ SAMPLERS = {
     "hexagonal": [{}],
 }
 TILE_METHODS = {
-    "corner": {"points": 12, "rho": 0.65, "colors": 2},
+    "corner": {"points": 8, "rho": 0.6, "colors": 2},
     "corner-relaxed": {"points": 16, "rho": 0.7, "colors": 2},
     "edge": {"points": 12, "rho": 0.6},
     "template": {"points": 16, "rho": 0.7, "variants": 4},
@@ -107,13 +107,16 @@ def point_analysis():
     made = [tw.sample_points("dart", 256, seed=seed) for seed in (0, 1)]
     for kind in ("centered", "wrapped", "star"):
         yield f"discrepancy {kind}", {"value": tw.discrepancy(made[0], kind)}
-    yield "measures", {
-        "bond order": tw.bond_order(made[0]),
-        "coverage": tw.coverage_radius(made[0]),
-        "nearest": tw.nearest_mean(made[0]),
-        "rho": tw.relative_radius(made[0].points),
-        "most": tw.max_radius(256, PLAIN),
-    }
+    yield (
+        "measures",
+        {
+            "bond order": tw.bond_order(made[0]),
+            "coverage": tw.coverage_radius(made[0]),
+            "nearest": tw.nearest_mean(made[0]),
+            "rho": tw.relative_radius(made[0].points),
+            "most": tw.max_radius(256, PLAIN),
+        },
+    )
     yield "periodogram", tw.periodogram(made[0], 32)
     spectrum = tw.power_spectrum(made, 64)
     for part in ("power", "radial", "anisotropy", "samples"):

@@ -147,7 +147,15 @@ def scanlines():
 
 
 def packings():
-    for name in ("corner-2", "corner-3", "wang-2", "wang-3-2", "corner-cubes-2", "wang-cubes-2", "dominoes-3"):
+    for name in (
+        "corner-2",
+        "corner-3",
+        "wang-2",
+        "wang-3-2",
+        "corner-cubes-2",
+        "wang-cubes-2",
+        "dominoes-3",
+    ):
         tiles = FAMILIES[name]()
         laid = tw.packing(tiles)
         extent = tuple(min(n, 8) for n in laid.size)

@@ -22,13 +22,13 @@ import zlib
 from math import ceil, log10
 from pathlib import Path
 
+import numpy as np
+import pytest
+
 import golden_files
 import golden_points
 import golden_textures
 import golden_tilings
-import numpy as np
-import pytest
-
 import tilewright as tw
 
 TABLE = Path(__file__).with_name("golden.json")
@@ -42,9 +42,7 @@ NEEDS_SOLVER = {"solved tilings"}
 _VERSION = f"tilewright {tw.__version__}"
 _FRACTION = re.compile(r"-?\d+\.\d{6,}(?:e[+-]?\d+)?|-?\d(?:\.\d+)?e-\d+")
 _PNG_TEXT = re.compile(r"iVBORw0KGgo[A-Za-z0-9+/=]+")
-_LEFT_OUT = re.compile(
-    r'"checksums": ?\{[^}]*\}|"(?:version|program)": ?"[^"]*"'
-)
+_LEFT_OUT = re.compile(r'"checksums": ?\{[^}]*\}|"(?:version|program)": ?"[^"]*"')
 _TEXTS = {".html", ".md", ".txt", ".json", ".svg", ".csv", ".glsl", ".hlsl", ".wgsl", ".osl", ".py", ".js"}
 _DIGITS = 6
 
