@@ -10,11 +10,9 @@ import numpy as np
 
 import tilewright as tw
 from golden_points import tiles_of
-from golden_textures import material, photo, stack, surface
+from golden_textures import SIDE, material, photo, stack, surface
 
-TARGETS = (
-    *("threejs", "godot", "unity", "unreal", "blender", "glsl", "hlsl", "wgsl", "osl", "ktx2", "atlas"),
-)
+TARGETS = ["threejs", "godot", "unity", "unreal", "blender", "glsl", "hlsl", "wgsl", "osl", "ktx2", "atlas"]
 
 # Runs `python -m tilewright` once for each list of arguments, in one process; says how each ended.
 _RUNNER = """
@@ -43,7 +41,7 @@ COMMANDS = {
     " --colors 2",
     "render": "render set -o plane.png --x -50 --width 120 --height 70 --lattice-seed 7",
     "render TIFF": "render maps -o normal.tif --map normal --width 90 --height 60",
-    "render a density": "render two -o steered.png --density gray.png --cells-per-pixel 2 --width 90 --height 60",  # noqa: E501
+    "render a density": "render two -o way.png --density gray.png --cells-per-pixel 2 --width 90 --height 60",
     "view": "view set -o page.html --lattice-seed 3",
     "analyze": "analyze set",
     "export": "export set --to wgsl -o wgsl",
@@ -53,8 +51,8 @@ COMMANDS = {
     "points CSV": "points --width 5 --height 4 --x -2.5 -o points.csv",
     "points torus": "points --width 4 --height 3 --torus -o torus.parquet",
     "points of a sampler": "points --method dart --count 300 --torus --seed 2 -o darts.ply",
-    "points of tiles": "points --method corner-relaxed --colors 2 --points 16 --rho 0.7 --count 100 --save kept"  # noqa: E501
-    " -o relaxed.npy",
+    "points of tiles": "points --method corner-relaxed --colors 2 --points 16 --rho 0.7 --count 100"
+    " --save kept -o relaxed.npy",
     "analyze points": "analyze points.npy --width 4 --height 4",
     "pack": "pack --colors 3 -o packing.npy",
     "pack Wang": "pack --tiles wang --colors 2 --method search --seed 7 -o packing.png",
@@ -71,7 +69,7 @@ COMMANDS = {
     "bricks tiles": "bricks --width 6 --height 6 --input photo.png -o wall.npy",
     "bricks bond": "bricks --pattern herringbone --size 48 16 --width 4 --height 4 -o bond.png --map height",
     "flow": "flow --width 10 --height 8 --particles 30 --steps 10 --size 6 -o crowd.gif",
-    "flow density": "flow --width 10 --height 8 --particles 30 --steps 40 --emit 0.1 --kill 0.1 -o density.png",  # noqa: E501
+    "flow density": "flow --width 10 --height 8 --particles 30 --steps 40 --emit 0.1 --kill 0.1 -o dense.png",
     "flow positions": "flow --width 10 --height 8 --particles 30 --steps 20 --cyclic --slow 0.2 -o flow.npz",
     "aperiodic": "aperiodic kari-14 --width 12 --height 9 --x 1000000 -o kari.svg",
     "aperiodic set": "aperiodic kari-14 --to vertical --set -o set.npy",
@@ -156,7 +154,7 @@ def exports(folder):
     tw.save_atlas(surface(), folder / "normal.png", map="normal")
     yield "atlas of normals", folder / "normal.png"
     tw.save_array(surface(), folder / "height.tif", map="height")
-    yield "array", (folder / "height.tif").read_bytes() and tw.read_image(folder / "height.tif")
+    yield "array", folder / "height.tif"
     for name, kind in (("8", "uint8"), ("16", "uint16"), ("float", "float32")):
         whole = photo(kind=kind, channels=4)[:16, :16]
         levels = [np.stack([whole[:: 1 << k, :: 1 << k]] * 2) for k in range(5)]
@@ -210,7 +208,7 @@ def commands(folder):
         ("normal", maps["normal"]),
         ("rough", maps["roughness"]),
         ("gray", (np.arange(24, dtype=np.uint8) * 10).reshape(4, 6, 1)),
-        ("mask", np.full((128, 128, 1), 255, np.uint8)),
+        ("mask", np.full((SIDE, SIDE, 1), 255, np.uint8)),
     ):
         tw.write_image(folder / f"{name}.png", pixels)
     given = set(folder.iterdir())

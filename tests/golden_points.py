@@ -27,7 +27,7 @@ SAMPLERS = {
     "hexagonal": [{}],
 }
 TILE_METHODS = {
-    "corner": {"points": 12, "rho": 0.65, "colors": 2},
+    "corner": {"points": 8, "rho": 0.6, "colors": 2},
     "corner-relaxed": {"points": 16, "rho": 0.7, "colors": 2},
     "edge": {"points": 12, "rho": 0.6},
     "template": {"points": 16, "rho": 0.7, "variants": 4},

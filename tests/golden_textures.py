@@ -7,7 +7,7 @@ import numpy as np
 
 import tilewright as tw
 
-SIDE = 128
+SIDE = 96
 KINDS = {"uint8": np.uint8, "uint16": np.uint16, "float32": np.float32}
 
 
@@ -21,9 +21,9 @@ def noise(seed, channels=3, side=SIDE):
     return np.minimum(fine / 1008.0, 1.0)
 
 
-def photo(seed=1, kind="uint8", channels=3):
+def photo(seed=1, kind="uint8", channels=3, side=SIDE):
     """A photograph made by a formula."""
-    values = noise(seed, channels)
+    values = noise(seed, channels, side)
     if kind == "float32":
         return (np.floor(values * 4096) / 4096).astype(np.float32)
     most = np.iinfo(KINDS[kind]).max
@@ -87,7 +87,7 @@ def texture_tiles():
     yield from parts_of("alpha", make(photo(channels=4), tw.corner_tiles(2)))
     yield from parts_of("stack", surface())
     yield from parts_of("flattened", make(stack(), tw.corner_tiles(2), normal="dx", flatten=True))
-    yield from parts_of("64", make(photo(), tw.corner_tiles(1), tile_size=64, seed=5))
+    yield from parts_of("64", make(photo(side=160), tw.corner_tiles(1), tile_size=64, seed=5))
     two = {"second": photo(2), "mask": mask(), "second_mask": mask()[::-1]}
     yield from parts_of("two sources", make(photo(), tw.corner_tiles(2), **two))
     yield from parts_of("mask", make(photo(), tw.corner_tiles(2), mask=mask(), seed=3))
@@ -95,7 +95,7 @@ def texture_tiles():
 
 def texture_methods():
     sets = {
-        "corner-3": (tw.corner_tiles(3, choices=2), ("nested", "ng", "squares")),
+        "corner": (tw.corner_tiles(2), ("ng", "squares")),
         "wang": (tw.wang_tiles(2), ("centered-diamonds", "diamonds", "burke")),
         "cohen": (tw.cohen_tiles(8), ("centered-diamonds",)),
         "coded": (tw.corner_coded_tiles(scanline_only=True), ("nested",)),
@@ -147,8 +147,7 @@ def texture_fields():
 
 
 def texture_analysis():
-    small = make(photo()[:80, :80], tw.corner_tiles(2), tile_size=16)
-    yield "report", dict(tw.analyze(small, cells=6).figures)
+    small = make(photo(channels=1)[:80, :80], tw.corner_tiles(2), tile_size=16)
     yield "report of a stack", dict(tw.analyze(surface(), cells=6, seed=3).figures)
     yield "comparison", tw.compare_textures(small, seed=3).figures
 
