@@ -27,18 +27,19 @@ class Contender:
     Attributes
     ----------
     name : str
+        What tables and the command line call it.
     source : str
         Who published it.
     seconds : float
-        What 16,384 points are expected to cost, so that hopeless cases are not begun.
+        What 16,384 points are expected to cost, in seconds, so that hopeless cases are not begun.
     prepare : callable
         ``prepare(seed, progress)`` does what is done once, such as building tiles, and gives ``make``.
     standard : bool
-        Whether it takes part where nothing else is said.
+        Whether it takes part where nothing else is said; default True.
     repeats : bool
-        Whether every seed gives another set; else one periodogram is all there is.
+        Whether every seed gives another set, else one periodogram is all there is; default True.
     builds : bool
-        Whether something is built first, the time of which is told apart.
+        Whether something is built first, the time of which is told apart; default False.
     """
 
     name: str
@@ -51,7 +52,13 @@ class Contender:
 
 
 def list_contenders() -> dict[str, Contender]:
-    """Every method by name, in the order of the thesis; peers where they are installed."""
+    """List every method by name, in the order of the thesis; peers where they are installed.
+
+    Returns
+    -------
+    dict of str to Contender
+        The methods that `compare` can run.
+    """
     everyone = [*_yardsticks(), *_samplers(), *_tiles(), *_peers()]
     return {c.name: c for c in everyone}
 

@@ -34,15 +34,22 @@ def compare_textures(
     ----------
     material : TextureTiles
         Made from one photograph; the other kind of tiles is made like it, see `side_by_side`.
-    seed : int
-        Of the tilings and blends, 0 to 2^64 - 1.
+    seed : int, optional
+        Seed of the tilings and blends, 0 to 2^64 - 1; default 0.
     progress : callable, optional
-        ``progress(done, total, what)``; raise `Cancelled` in it to stop.
+        Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop.
 
     Returns
     -------
     SideBySide
         ``figures[method]`` has ``repetition``, ``fine_contrast``, ``coarse_contrast`` and ``strangeness``.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than texture tiles.
+    TilewrightValueError
+        The material was made from several photographs.
 
     Notes
     -----
