@@ -150,6 +150,13 @@ def compare(
         Something else than a list of names and integers.
     TilewrightValueError
         An unknown method, or a number out of range.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> found = tw.compare(["jittered"], sets=1)
+    >>> found.rows[0]["method"], round(found.rows[0]["radial_peak"])
+    ('jittered', 1)
     """
     everyone = list_contenders()
     if methods is None:

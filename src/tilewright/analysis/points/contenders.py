@@ -17,7 +17,7 @@ from tilewright.signals.points import PointTiles, make_point_tiles
 from tilewright.tilings import scanline
 
 Make = Callable[[int, int], PointSet]
-"""A set of about so many points, from a seed."""
+"""Makes a set of about a number of points, from that number and a seed."""
 
 
 @dataclass(frozen=True)
@@ -196,7 +196,7 @@ def _peers() -> list[Contender]:
 
 
 def _distance_for(count: int) -> float:
-    """Bridson's method leaves about so many points of the unit square at this distance."""
+    """Bridson's method leaves about ``count`` points of the unit square at this distance."""
     return sqrt(0.70 * 0.87 / count)
 
 

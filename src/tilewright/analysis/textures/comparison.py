@@ -21,7 +21,7 @@ METHOD_MEANING = {
     "strangeness": "distance of small pieces to the photograph; 1 as the photograph repeated",
 }
 _TILES, _PHOTOGRAPHS = 12, 2
-"""Sides of the picture that is measured: at least so many tiles, and so many photographs."""
+"""Sides of the picture that is measured: at least this number of tiles, and of photographs."""
 _PIECE, _ASKED, _KNOWN, _COMPONENTS = 8, 600, 20000, 16
 
 
