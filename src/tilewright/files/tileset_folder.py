@@ -79,6 +79,16 @@ def load(folder: str | Path) -> TextureTiles | PointTiles:
     TilewrightFileError
         There is no such folder, a file is missing or was changed, the manifest is damaged, newer than
         this program, or names a file outside the folder.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import tilewright as tw
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tw.save(tw.ready_tiles(), f"{folder}/blue")
+    ...     blue = tw.load(f"{folder}/blue")
+    >>> blue.density
+    32.0
     """
     folder = as_path(folder)
     if not os.path.isdir(folder):

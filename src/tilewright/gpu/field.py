@@ -81,8 +81,10 @@ class GpuField:
 
         Raises
         ------
-        GpuError
-            The GPU is lost or out of memory.
+        TilewrightTypeError
+            Something else than one of the cameras.
+        TilewrightValueError
+            The camera sees cells that are too far out.
         """
         return self._painter.paint(camera, self.material.tile_size, self._view)
 

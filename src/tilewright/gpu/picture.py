@@ -57,8 +57,10 @@ class GpuPicture:
 
         Raises
         ------
-        GpuError
-            The GPU is lost or out of memory.
+        TilewrightTypeError
+            Something else than one of the cameras.
+        TilewrightValueError
+            The camera sees cells that are too far out.
         """
         return self._painter.paint(camera, self._side, self._view)
 

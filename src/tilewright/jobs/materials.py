@@ -129,6 +129,16 @@ def add_maps(
         Something else than texture tiles and pictures.
     TilewrightValueError
         Maps for another number of photographs, or of a size that does not go with the photograph's.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> photo = np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8)
+    >>> material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size=16)
+    >>> material = tw.add_maps(material, {"height": photo[..., 0]})
+    >>> material.maps["height"].shape
+    (16, 16, 16, 1)
     """
     from tilewright.signals.textures.seams import copy_maps
 

@@ -19,9 +19,9 @@ class BorderDensity:
     distance : float64 array, shape (bins + 1,)
         Ends of the bins, 0 to 0.5 tile lengths.
     edge : float64 array, shape (bins,)
-        At such a distance from the nearest edge.
+        Density at these distances from the nearest edge.
     corner : float64 array, shape (bins,)
-        At such a distance from the nearest corner.
+        Density at these distances from the nearest corner.
     """
 
     distance: NDArray[np.float64]
@@ -30,7 +30,7 @@ class BorderDensity:
 
 
 def border_density(tiles: PointTiles, bins: int = 10) -> BorderDensity:
-    """Density as a function of the distance from the border, mean over all tiles.
+    """Measure density as a function of the distance from the border, mean over all tiles.
 
     Shows what is wrong with sets whose borders leave less room (Cohen et al. 2003, figure 9), and with any
     other. All tiles count alike, as in the random tilings of most sets. n points in a bin have a standard
@@ -39,8 +39,22 @@ def border_density(tiles: PointTiles, bins: int = 10) -> BorderDensity:
     Parameters
     ----------
     tiles : PointTiles
-    bins : int
-        1 to 10,000, of equal width.
+        A set that holds points.
+    bins : int, optional
+        Number of bins of equal width, 1 to 10,000; default 10.
+
+    Returns
+    -------
+    BorderDensity
+        ``distance``, the ends of the bins in tile lengths, and the density ``edge`` and ``corner`` in each,
+        over the mean density.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than point tiles.
+    TilewrightValueError
+        The tiles hold no points, or the number of bins is out of range.
     """
     check_type("tiles", tiles, PointTiles, "PointTiles")
     if not len(tiles.points):

@@ -49,17 +49,24 @@ class Comparison:
     Attributes
     ----------
     rows : list of dict
-        Figures of each method (see `POINT_MEANING`), its source, ``milliseconds`` for a set of about 16,384
-        points and ``construction_seconds`` for what is done once; or ``not_run``, why it was left out.
+        For each method, its name, source and figures as in ``PointReport.figures``, ``milliseconds`` for a
+        set of about 16,384 points and ``construction_seconds`` for what is done once; or ``not_run``, why it
+        was left out.
     reports : list of PointReport
-        Of those that ran, in the same order.
+        The reports of those that ran, in the same order.
     """
 
     rows: list[dict[str, Any]]
     reports: list[PointReport] = field(default_factory=list)
 
     def table(self) -> str:
-        """A Markdown table of all that ran, and a line for each that did not."""
+        """Write a Markdown table of all that ran, and a line for each that did not.
+
+        Returns
+        -------
+        str
+            The text, with a line for each method.
+        """
         lines = ["| " + " | ".join(_COLUMNS.values()) + " |", "|---" * len(_COLUMNS) + "|"]
         lines += [
             "| " + " | ".join(_cell(row.get(key)) for key in _COLUMNS) + " |"
@@ -70,7 +77,13 @@ class Comparison:
         return "\n".join([*lines, "", *left_out] if left_out else lines) + "\n"
 
     def plain_rows(self) -> list[dict[str, Any]]:
-        """`rows` in plain JSON values: None where a figure has no value."""
+        """Give `rows` in plain JSON values.
+
+        Returns
+        -------
+        list of dict
+            The rows, with None where a figure has no value.
+        """
         return [
             {k: None if isinstance(v, float) and not isfinite(v) else v for k, v in row.items()}
             for row in self.rows
@@ -80,6 +93,16 @@ class Comparison:
         """Write ``comparison.md``, ``comparison.json`` and pictures of six methods each to a folder.
 
         A folder that holds a comparison is replaced; any other one that is not empty is refused.
+
+        Parameters
+        ----------
+        folder : str or Path
+            Where the files go; the folder above must be there.
+
+        Raises
+        ------
+        TilewrightFileError
+            The folder holds other things, or cannot be written.
         """
         with whole_folder(folder, _objection) as unfinished:
             (unfinished / "comparison.md").write_text(self.table(), "utf-8")
@@ -105,13 +128,35 @@ def compare(
     Parameters
     ----------
     methods : list of str, optional
-        Names of `list_contenders`; a choice that ends within ten minutes by default.
-    full : bool
-        All methods, however long they take.
-    sets : int
-        How many periodograms are averaged, K.
-    seed : int
+        Names of methods, as the table of the page Comparison of methods lists them; by default a choice that
+        ends within ten minutes.
+    full : bool, optional
+        Run all methods, however long they take; default False.
+    sets : int, optional
+        How many periodograms are averaged, K, 1 to 1,000; default 10.
+    seed : int, optional
+        Seed of all sets, 0 to 2^63; default 0.
     progress : callable, optional
+        Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop.
+
+    Returns
+    -------
+    Comparison
+        Figures of every method, and the reports that they come from.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a list of names and integers.
+    TilewrightValueError
+        An unknown method, or a number out of range.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> found = tw.compare(["jittered"], sets=1)
+    >>> found.rows[0]["method"], round(found.rows[0]["radial_peak"])
+    ('jittered', 1)
     """
     everyone = list_contenders()
     if methods is None:

@@ -17,7 +17,7 @@ from tilewright.signals.points import PointTiles, make_point_tiles
 from tilewright.tilings import scanline
 
 Make = Callable[[int, int], PointSet]
-"""A set of about so many points, from a seed."""
+"""Makes a set of about a number of points, from that number and a seed."""
 
 
 @dataclass(frozen=True)
@@ -27,18 +27,19 @@ class Contender:
     Attributes
     ----------
     name : str
+        What tables and the command line call it.
     source : str
         Who published it.
     seconds : float
-        What 16,384 points are expected to cost, so that hopeless cases are not begun.
+        What 16,384 points are expected to cost, in seconds, so that hopeless cases are not begun.
     prepare : callable
         ``prepare(seed, progress)`` does what is done once, such as building tiles, and gives ``make``.
     standard : bool
-        Whether it takes part where nothing else is said.
+        Whether it takes part where nothing else is said; default True.
     repeats : bool
-        Whether every seed gives another set; else one periodogram is all there is.
+        Whether every seed gives another set, else one periodogram is all there is; default True.
     builds : bool
-        Whether something is built first, the time of which is told apart.
+        Whether something is built first, the time of which is told apart; default False.
     """
 
     name: str
@@ -51,7 +52,13 @@ class Contender:
 
 
 def list_contenders() -> dict[str, Contender]:
-    """Every method by name, in the order of the thesis; peers where they are installed."""
+    """List every method by name, in the order of the thesis; peers where they are installed.
+
+    Returns
+    -------
+    dict of str to Contender
+        The methods that `compare` can run.
+    """
     everyone = [*_yardsticks(), *_samplers(), *_tiles(), *_peers()]
     return {c.name: c for c in everyone}
 
@@ -189,7 +196,7 @@ def _peers() -> list[Contender]:
 
 
 def _distance_for(count: int) -> float:
-    """Bridson's method leaves about so many points of the unit square at this distance."""
+    """Bridson's method leaves about ``count`` points of the unit square at this distance."""
     return sqrt(0.70 * 0.87 / count)
 
 

@@ -18,7 +18,22 @@ _SETS = 10
 
 
 def lay_square(tiles: PointTiles, points: int, seed: int) -> PointSet:
-    """About so many points of a square of tiles: a torus where the set has a direct tiling."""
+    """Lay a square of point tiles that holds about ``points`` points.
+
+    Parameters
+    ----------
+    tiles : PointTiles
+        The points of each tile.
+    points : int
+        Number of points that the square should hold; the nearest square of whole tiles is taken.
+    seed : int
+        Seed of the tiling.
+
+    Returns
+    -------
+    PointSet
+        Points in tile lengths, on a torus where the set has a direct tiling and on a plain box elsewhere.
+    """
     side = max(1, round(sqrt(points / max(tiles.density, 1e-9))))
     if recognize(tiles.tiles) is not None:
         return PointField(tiles, direct(tiles.tiles, seed, period=(side, side))).torus()
@@ -35,9 +50,34 @@ def analyze_point_tiles(
     name: str | None = None,
     progress: Progress | None = None,
 ) -> PointReport:
-    """Measure a set of point tiles: its promise and spikes, and ten squares of 16,384 points laid with it.
+    """Measure a set of point tiles: its promise and spikes, and squares of 16,384 points laid with it.
 
-    The zone plate is sampled with a square of 262,144 points.
+    The zone plate is sampled with a square of 262,144 points (Lagae 2007, sections 6.6 to 6.14).
+
+    Parameters
+    ----------
+    tiles : PointTiles
+        A set that holds points.
+    sets : int, optional
+        How many squares are measured; default 10.
+    seed : int, optional
+        Seed of the first tiling; default 0.
+    name : str, optional
+        What to call the method; by default the set's own word for it.
+    progress : callable, optional
+        Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop.
+
+    Returns
+    -------
+    PointReport
+        Figures of the points, and of the set itself.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than point tiles.
+    TilewrightValueError
+        The tiles hold no points.
     """
     check_type("tiles", tiles, PointTiles, "PointTiles")
     if not len(tiles.points):

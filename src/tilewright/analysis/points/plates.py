@@ -65,10 +65,17 @@ def zone_plate(points: PointSet) -> ZonePlate:
     points : PointSet
         In a plane; about 262,144 points, one for each pixel. Compare sets of about the same number only.
 
+    Returns
+    -------
+    ZonePlate
+        The picture, and its error against the function.
+
     Raises
     ------
+    TilewrightTypeError
+        Something else than a `PointSet`.
     TilewrightValueError
-        Fewer than 65,536 points in the square, one for four pixels.
+        Fewer than 65,536 points in the square, one for four pixels, or a set that is not in a plane.
     """
     given = check_set(points)
     x, y = _spread(given)

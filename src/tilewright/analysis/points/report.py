@@ -63,17 +63,20 @@ _MARK = "#c23b22"
 
 @dataclass(frozen=True, eq=False)
 class PointReport:
-    """What was measured of a method.
+    """What was measured of a method of making points.
 
     Attributes
     ----------
     name : str
         What the sheet calls the method.
     figures : dict of str to float
-        See `POINT_MEANING` for each.
+        Every figure by name; ``str(report)`` lists them, each with its meaning.
     spectrum : Spectrum
+        The mean power spectrum.
     distribution : RadialDistribution
+        How many points there are at each distance.
     plate : ZonePlate or None
+        The zone plate sampled with a large set, None where there was none.
     """
 
     name: str
@@ -90,7 +93,13 @@ class PointReport:
         return "\n".join(lines)
 
     def sheet(self) -> "Figure":
-        """Points, power spectrum, zone plate, radial power, anisotropy and distances beside the figures."""
+        """Draw points, power spectrum, zone plate, radial power, anisotropy and distances beside the figures.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A sheet of 15 x 11 inches.
+        """
         from matplotlib.figure import Figure
 
         figure = Figure(figsize=(15, 11), layout="constrained")
@@ -108,7 +117,22 @@ class PointReport:
         return figure
 
     def save_sheet(self, path: str | Path) -> None:
-        """Write the sheet as a picture: PNG, JPEG, SVG or PDF."""
+        """Write the sheet as a picture.
+
+        Parameters
+        ----------
+        path : str or Path
+            ``.png``, ``.jpg``, ``.svg`` or ``.pdf``.
+
+        Raises
+        ------
+        TilewrightTypeError
+            Something else than a path.
+        TilewrightValueError
+            Another suffix.
+        TilewrightFileError
+            The file cannot be written.
+        """
         _save(path, self.sheet)
 
 
@@ -125,14 +149,20 @@ def analyze_points(
     Parameters
     ----------
     sets : PointSet or list of PointSet
-        Of one plane box; ten sets of about 16,384 points in the thesis.
+        Sets of one plane box, at least 3 points each; ten sets of about 16,384 points in the thesis.
     plate : PointSet, optional
-        A set by the same method of about 262,144 points, for the zone plate.
+        A set by the same method of about 262,144 points, for the zone plate; by default there is no plate.
     name : str, optional
-        What to call the method; the first set's own word for it by default.
+        What to call the method; by default the first set's own word for it.
     size : int, optional
         Width of the periodograms, see `power_spectrum`.
     progress : callable, optional
+        Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop.
+
+    Returns
+    -------
+    PointReport
+        The figures, the spectrum and the distances.
 
     Raises
     ------
@@ -174,9 +204,19 @@ def analyze_points(
 
 
 def comparison_sheet(reports: Sequence[PointReport]) -> "Figure":
-    """A row for each method at the same scales: points, spectrum, radial power, anisotropy, zone plate.
+    """Draw a row for each method at the same scales: points, spectrum, power, anisotropy, zone plate.
 
     Radial power is cut off at 6 and anisotropy at 25 dB, so that one lattice does not flatten the others.
+
+    Parameters
+    ----------
+    reports : sequence of PointReport
+        At least one report.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        A sheet 21 inches wide and 4.9 inches high for each method.
     """
     from matplotlib.figure import Figure
 
@@ -197,7 +237,15 @@ def comparison_sheet(reports: Sequence[PointReport]) -> "Figure":
 
 
 def save_comparison(reports: Sequence[PointReport], path: str | Path) -> None:
-    """Write a `comparison_sheet` as a picture: PNG, JPEG, SVG or PDF."""
+    """Write the sheet of `comparison_sheet` as a picture.
+
+    Parameters
+    ----------
+    reports : sequence of PointReport
+        At least one report.
+    path : str or Path
+        ``.png``, ``.jpg``, ``.svg`` or ``.pdf``.
+    """
     given = _check_reports(reports)
     _save(path, lambda: comparison_sheet(given))
 

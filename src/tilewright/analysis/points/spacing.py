@@ -21,14 +21,32 @@ _DISCREPANCIES = {"centered": "CD", "wrapped": "WD", "star": "L2-star"}
 
 
 def nearest_mean(points: PointSet) -> float:
-    """Mean distance to the nearest other point, over 2 r_max: 1 for the hexagonal lattice.
+    """Measure the mean distance to the nearest other point, over 2 r_max: 1 for the hexagonal lattice.
 
     Where rho is the least of these distances, this is their mean. White noise in a plane has 0.465.
 
     Parameters
     ----------
     points : PointSet
-        In a plane or a volume.
+        In a plane or a volume, at least 3 points.
+
+    Returns
+    -------
+    float
+        The mean distance, in units of 2 r_max.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a `PointSet`.
+    TilewrightValueError
+        Too few points, or points outside their box.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> round(tw.nearest_mean(tw.sample_points("hexagonal", 1000)), 2)
+    1.0
     """
     given = check_set(points, dimensions=(2, 3))
     return float(nearest_distances(given.points, given.box).mean() / (2 * given.max_radius))
@@ -53,7 +71,7 @@ class RadialDistribution:
 def radial_distribution(
     sets: PointSet | Sequence[PointSet], reach: float | None = None, bins: int = 250
 ) -> RadialDistribution:
-    """The radial distribution function, also called pair correlation, mean of one or several sets.
+    """Measure the radial distribution function, also called pair correlation, mean of one or several sets.
 
     Its Hankel transform is the radial power (Heck, Schloemer & Deussen 2013). What the border of a plain box
     cuts off is made up for, exactly in the mean, by the box's set covariance.
@@ -65,8 +83,20 @@ def radial_distribution(
     reach : float, optional
         The largest distance, over 2 r_max; at most half the shortest side of a torus, or the shortest side
         of a plain box. By default 5 or as far as is allowed.
-    bins : int
-        1 to 100,000.
+    bins : int, optional
+        Number of bins of equal width, 1 to 100,000; default 250.
+
+    Returns
+    -------
+    RadialDistribution
+        The middle of each bin, and the density there over that of white noise.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than point sets and numbers.
+    TilewrightValueError
+        Too few points, sets of different boxes, or a number out of range.
     """
     from scipy.spatial import cKDTree
 
@@ -104,7 +134,7 @@ def _pair_chance(box: Box) -> Polynomial:
 
 
 def coverage_radius(points: PointSet) -> float:
-    """Radius of the largest circle (sphere) without a point, over r_max; its center lies in the box.
+    """Measure the largest circle (sphere) without a point: its radius over r_max; its center lies in the box.
 
     No point can be added to a set of relative radius rho if this is less than 2 rho: it is maximal. The
     hexagonal lattice has 1.155, the least there is in a plane.
@@ -113,22 +143,52 @@ def coverage_radius(points: PointSet) -> float:
     ----------
     points : PointSet
         In a plane or a volume. On a plain box circles are centered inside but may reach out of it.
+
+    Returns
+    -------
+    float
+        The radius, in units of r_max.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a `PointSet`.
+    TilewrightValueError
+        Too few points, or points outside their box.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> round(tw.coverage_radius(tw.sample_points("hexagonal", 1000)), 2)
+    1.15
     """
     given = check_set(points, dimensions=(2, 3))
     return _neighborhood(given).coverage
 
 
 def bond_order(points: PointSet) -> float:
-    """Mean over the points of |mean over their Voronoi neighbors of exp(6 i angle)|: 1 for hexagons.
+    """Measure order: mean over the points of |mean over their Voronoi neighbors of exp(6 i angle)|.
 
-    Tells ordered from disordered sets even where they have many domains (local bond-orientational order,
-    after Halperin & Nelson 1978). White noise has about 0.36, dart throwing at 0.7 about 0.41.
+    It is 1 for hexagons, and tells ordered from disordered sets even where they have many domains (local
+    bond-orientational order, after Halperin & Nelson 1978). White noise has about 0.36, dart throwing at 0.7
+    about 0.41.
 
     Parameters
     ----------
     points : PointSet
-        In a plane. On a plain box, points so near to its sides that they might lack neighbors are left out;
-        NaN if none remain.
+        In a plane. On a plain box, points so near to its sides that they might lack neighbors are left out.
+
+    Returns
+    -------
+    float
+        The mean, 0 to 1; NaN if no points remain.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a `PointSet`.
+    TilewrightValueError
+        Too few points, or a set that is not in a plane.
     """
     return _neighborhood(check_set(points)).bond_order
 
@@ -203,16 +263,27 @@ def _surroundings(points: PointSet, margin: float) -> NDArray[np.float64]:
 
 
 def discrepancy(points: PointSet, kind: str = "centered") -> float:
-    """L2 discrepancy: how far shares of points in boxes are from the boxes' areas (scipy.stats.qmc).
+    """Measure the L2 discrepancy: how far shares of points in boxes are from the boxes' areas.
 
     Parameters
     ----------
     points : PointSet
         In a plane or a volume, up to 32,768 points, since each pair of them is looked at.
-    kind : str
-        "star": boxes with one corner at the origin (Warnock 1972). "centered" (Hickernell 1998): boxes at
-        each corner of the domain. "wrapped": boxes anywhere on the torus. All are roots: scipy gives the
-        square of the last two.
+    kind : str, optional
+        ``"star"``: boxes with one corner at the origin (Warnock 1972). ``"centered"`` (default; Hickernell
+        1998): boxes at each corner of the domain. ``"wrapped"``: boxes anywhere on the torus.
+
+    Returns
+    -------
+    float
+        The discrepancy, a root: scipy.stats.qmc, which measures it, gives the square of the last two.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a `PointSet`.
+    TilewrightValueError
+        An unknown kind, or too few or too many points.
     """
     from scipy.stats import qmc
 

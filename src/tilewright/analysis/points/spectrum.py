@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.analysis.points.checks import check_set, check_sets
+from tilewright.analysis.points.rings import effective_nyquist, oscillation, oscillation_start
 from tilewright.checks import check_int, check_type, type_error
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
@@ -26,17 +27,33 @@ _MEMORY = 2**31
 
 
 def spectrum_size(count: int) -> int:
-    """Width of the periodogram of ``count`` points: 2 / (0.75 r_max), up to the next power of two.
+    """Tell the usual width of a periodogram: 2 / (0.75 r_max), up to the next power of two.
 
-    Twice the principal frequency of a Poisson disk set of relative radius 0.75 to either side: 634, so 1024
-    for 16,384 points of the unit square. Eq. 6.6 as printed, 1 / (0.75 r_max), is the half width.
+    It shows twice the principal frequency of a Poisson disk set of relative radius 0.75 to either side: 634,
+    so 1024 for 16,384 points of the unit square. Eq. 6.6 of Lagae 2007 as printed, 1 / (0.75 r_max), is the
+    half width.
+
+    Parameters
+    ----------
+    count : int
+        Number of points, 1 to 2^31 - 1.
+
+    Returns
+    -------
+    int
+        Samples along a side.
+
+    Raises
+    ------
+    TilewrightTypeError, TilewrightValueError
+        A count that is not an integer; a count out of range.
     """
     exact = 2 / (0.75 * max_radius(check_int("count", count, 1, 2**31 - 1), Box()))
     return 1 << (ceil(exact) - 1).bit_length()
 
 
 def periodogram(points: PointSet, size: int | None = None) -> NDArray[np.float64]:
-    """|sum over the points x of exp(-2 pi i f . x)|^2 / N (Lagae 2007, eq. 6.1, times N).
+    """Measure |sum over the points x of exp(-2 pi i f . x)|^2 / N (Lagae 2007, eq. 6.1, times N).
 
     White noise has the mean power 1, and frequency 0 the power N. The frequencies are whole numbers of
     periods across the box, which is exact on a torus. On a plain box they give an estimate: sparse or
@@ -45,17 +62,30 @@ def periodogram(points: PointSet, size: int | None = None) -> NDArray[np.float64
     Parameters
     ----------
     points : PointSet
-        In a plane.
+        In a plane, at least 3 points.
     size : int, optional
-        Samples along a side of a square box, even, 8 to 8192; `spectrum_size` of the points by default.
-        8192 takes about 3 GB.
-        A box of another shape keeps frequencies up to size / 2 periods in the square root of its area, so
-        that it has about size h / sqrt(w h) rows and size w / sqrt(w h) columns.
+        Samples along a side of a square box, even, 8 to 8,192, which takes about 3 GB; by default 1,024 for
+        16,384 points and larger for more, twice the principal frequency of a Poisson disk set of relative
+        radius 0.75 to either side. A box of another shape keeps frequencies up to size / 2 periods in the
+        square root of its area, so that it has about size h / sqrt(w h) rows and size w / sqrt(w h) columns.
 
     Returns
     -------
     float64 array, shape (rows, columns)
         Frequency (0, 0) is at [rows // 2, columns // 2], y first; the first row and column have the lowest.
+
+    Raises
+    ------
+    TilewrightTypeError, TilewrightValueError
+        Something else than a `PointSet` and an integer; too few points, points outside the box, or a size
+        that is not allowed.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> power = tw.periodogram(tw.sample_points("dart", 1000, seed=1), size=64)
+    >>> power.shape, round(float(power[32, 32]))
+    ((64, 64), 1000)
     """
     given = check_set(points)
     shape = _shape(given.box, _check_size(size, len(given)))
@@ -136,12 +166,12 @@ class Spectrum:
 
     @property
     def figures(self) -> dict[str, float]:
-        """What there is to compare.
+        """Figures of the spectrum, by name.
 
-        radial_peak, largest_bin : the highest mean of a ring, and the highest single frequency; white noise
-        has 1 in the mean. anisotropy_max, anisotropy_p99, anisotropy_median : over the rings, in dB; the
-        lowest rings have too few samples to say anything and are left out, see `ANISOTROPY_FROM`.
-        effective_nyquist, oscillation : see there.
+        ``radial_peak`` and ``largest_bin`` are the highest mean of a ring and the highest single frequency;
+        white noise has 1 in the mean. ``anisotropy_max``, ``anisotropy_p99`` and ``anisotropy_median`` are
+        taken over the rings, in dB, without the lowest 16, which have too few samples to say anything.
+        ``effective_nyquist`` and ``oscillation`` are the properties of these names.
         """
         rings = self.anisotropy[ANISOTROPY_FROM:]
         known = rings[~np.isnan(rings)]
@@ -174,13 +204,28 @@ def power_spectrum(
     sets : PointSet or list of PointSet
         Of one box; 10 sets of about 16,384 points in the thesis. Their numbers of points may differ.
     size : int, optional
-        As in `periodogram`; of the largest set by default.
+        Width of the periodograms, even, 8 to 8,192; by default that of the largest set, as in `periodogram`.
     progress : callable, optional
+        Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop.
+
+    Returns
+    -------
+    Spectrum
+        The mean power, its radial mean and its anisotropy.
 
     Raises
     ------
-    TilewrightValueError
-        Sets of different boxes, too few points, points outside the box or a size that is not allowed.
+    TilewrightTypeError, TilewrightValueError
+        Something else than point sets and an integer; sets of different boxes, too few points, points
+        outside the box or a size that is not allowed.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> sets = [tw.sample_points("dart", 1000, seed=seed) for seed in range(3)]
+    >>> spectrum = tw.power_spectrum(sets, size=128)
+    >>> spectrum.power.shape, spectrum.radial.shape
+    ((128, 128), (64,))
     """
     given = check_sets(sets)
     width = _check_size(size, max(len(s) for s in given))
@@ -193,42 +238,17 @@ def power_spectrum(
     return Spectrum(given, power, radial, anisotropy, samples)
 
 
-def effective_nyquist(radial: NDArray[np.float64], samples: NDArray[np.int64], count: float) -> float:
-    """See `Spectrum.effective_nyquist`; of any radial power, with the samples of each ring."""
-    power = np.cumsum(np.where(samples > 0, radial, 0)[1:] * samples[1:])
-    within = power / np.maximum(np.cumsum(samples[1:]), 1)
-    # Ring k ends at frequency k + 1/2.
-    edges = np.arange(1, len(radial)) + 0.5
-    risen = np.flatnonzero((within > 0.5) & (edges >= sqrt(count) / 2))
-    if not len(risen):
-        return nan
-    empty = np.flatnonzero(within[: risen[0]] < 0.1)
-    return float(edges[empty[-1]] / sqrt(count)) if len(empty) else 0.0
-
-
-def oscillation_start(radial: NDArray[np.float64]) -> int:
-    """The first frequency with a radial power of 0.98, or that of the highest power."""
-    full = np.flatnonzero(radial >= 0.98)
-    return int(full[0]) if len(full) else int(np.nanargmax(radial))
-
-
-def oscillation(radial: NDArray[np.float64], samples: NDArray[np.int64], start: int, last: float) -> float:
-    """See `Spectrum.oscillation`; of any radial power, from frequency ``start`` up to ``last``."""
-    rings = slice(start, int(last) + 1)
-    known = samples[rings] > 0
-    off = (radial[rings][known] - 1) ** 2
-    return 10 * sqrt(float(np.average(off, weights=samples[rings][known])))
-
-
 @dataclass(frozen=True)
 class LatticeSpikes:
     """The largest powers at the frequencies of a lattice of tiles, and elsewhere.
 
     Attributes
     ----------
-    on, off : float
-        The largest power at a whole multiple of the lattice's frequencies, and at any other frequency.
-    at : tuple of int
+    on : float
+        The largest power at a whole multiple of the lattice's frequencies.
+    off : float
+        The largest power at any other frequency.
+    at : (int, int)
         Where the first is: periods across the box in x and in y.
     """
 
@@ -243,10 +263,23 @@ def lattice_spikes(spectrum: Spectrum, tiles_along: int | tuple[int, int]) -> La
     Parameters
     ----------
     spectrum : Spectrum
+        Of points that were laid with tiles; see `power_spectrum`.
     tiles_along : int or (int, int)
-        How many tiles the box has along x and along y. T tiles of n points each have, besides their noise,
-        the power T |m(k)|^2 / n at the multiple k of the lattice's frequency, with m the mean over the tiles
-        of the sum of exp(-2 pi i k . x) over the points of a tile, x in tiles.
+        How many tiles the box has along x and along y, from 1 on. T tiles of n points each have, besides
+        their noise, the power T |m(k)|^2 / n at the multiple k of the lattice's frequency, with m the mean
+        over the tiles of the sum of exp(-2 pi i k . x) over the points of a tile, x in tiles.
+
+    Returns
+    -------
+    LatticeSpikes
+        The largest power on the lattice, elsewhere, and where the first is.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a spectrum and one or two integers.
+    TilewrightValueError
+        The spectrum ends before the lattice's first frequency.
     """
     check_type("spectrum", spectrum, Spectrum, "a Spectrum", "power_spectrum makes one")
     pair = tiles_along if isinstance(tiles_along, (tuple, list)) else (tiles_along, tiles_along)

@@ -21,7 +21,7 @@ METHOD_MEANING = {
     "strangeness": "distance of small pieces to the photograph; 1 as the photograph repeated",
 }
 _TILES, _PHOTOGRAPHS = 12, 2
-"""Sides of the picture that is measured: at least so many tiles, and so many photographs."""
+"""Sides of the picture that is measured: at least this number of tiles, and of photographs."""
 _PIECE, _ASKED, _KNOWN, _COMPONENTS = 8, 600, 20000, 16
 
 
@@ -34,15 +34,22 @@ def compare_textures(
     ----------
     material : TextureTiles
         Made from one photograph; the other kind of tiles is made like it, see `side_by_side`.
-    seed : int
-        Of the tilings and blends, 0 to 2^64 - 1.
+    seed : int, optional
+        Seed of the tilings and blends, 0 to 2^64 - 1; default 0.
     progress : callable, optional
-        ``progress(done, total, what)``; raise `Cancelled` in it to stop.
+        Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop.
 
     Returns
     -------
     SideBySide
         ``figures[method]`` has ``repetition``, ``fine_contrast``, ``coarse_contrast`` and ``strangeness``.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than texture tiles.
+    TilewrightValueError
+        The material was made from several photographs.
 
     Notes
     -----

@@ -45,12 +45,12 @@ MEANING = {
 
 @dataclass(frozen=True, eq=False)
 class Report:
-    """What was measured.
+    """What was measured of texture tiles.
 
     Attributes
     ----------
     figures : dict of str to float
-        See `MEANING` for each.
+        Every figure by name; ``str(report)`` lists them, each with its meaning.
     sample : Sample
         The piece of the plane that was measured.
     """
@@ -67,7 +67,13 @@ class Report:
         return "\n".join(lines)
 
     def sheet(self) -> "Figure":
-        """Pictures beside the figures: photograph, tiles, plane near and far, cut lines, repetition."""
+        """Draw photograph, tiles, plane near and far, and cut lines beside the figures.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A sheet of 15 x 10 inches.
+        """
         from matplotlib.figure import Figure
 
         sample, n = self.sample, self.sample.size
@@ -99,7 +105,22 @@ class Report:
         return figure
 
     def save_sheet(self, path: str | Path) -> None:
-        """Write the sheet as a picture: PNG, JPEG, SVG or PDF."""
+        """Write the sheet as a picture.
+
+        Parameters
+        ----------
+        path : str or Path
+            ``.png``, ``.jpg``, ``.svg`` or ``.pdf``.
+
+        Raises
+        ------
+        TilewrightTypeError
+            Something else than a path.
+        TilewrightValueError
+            Another suffix.
+        TilewrightFileError
+            The file cannot be written.
+        """
         path = check_sheet(path)
         with whole_file(path) as unfinished:
             self.sheet().savefig(unfinished, dpi=110, format=path.suffix[1:].lower())
@@ -113,10 +134,25 @@ def analyze_texture(
     Parameters
     ----------
     material : TextureTiles
-    cells : int
-        The piece has this many cells on a side, 4 to 64.
-    seed : int
-        Seed of the tiling and of the patches that are compared.
+        The tiles to be measured.
+    cells : int, optional
+        Cells of the piece along a side, 4 to 64; default 12.
+    seed : int, optional
+        Seed of the tiling and of the patches that are compared, 0 to 2^64 - 1; default 0.
+    progress : callable, optional
+        Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop.
+
+    Returns
+    -------
+    Report
+        The figures, and the piece that they were taken from.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than texture tiles.
+    TilewrightValueError
+        A number out of range.
     """
     check_type("material", material, TextureTiles, "TextureTiles, PointTiles or a PointSet")
     seed = check_seed(seed)

@@ -18,7 +18,8 @@ class Sample:
     Attributes
     ----------
     material : TextureTiles
-    cells : int array, shape (n, n)
+        The picture of each tile.
+    cells : int32 array, shape (n, n)
         Tile of each cell.
     """
 
@@ -31,7 +32,18 @@ class Sample:
         return self.material.tile_size
 
     def assemble(self, tiles: NDArray[np.generic]) -> NDArray[np.generic]:
-        """Per-tile pictures, shape (T, size, size, k), laid side by side."""
+        """Lay pictures of tiles side by side.
+
+        Parameters
+        ----------
+        tiles : array, shape (T, size, size, k)
+            A picture for each tile, of any type.
+
+        Returns
+        -------
+        array, shape (n * size, n * size, k)
+            The pictures where the cells have their tiles.
+        """
         rows, columns = self.cells.shape
         picture = tiles[self.cells].swapaxes(1, 2)
         return picture.reshape(rows * self.size, columns * self.size, -1)
@@ -60,6 +72,28 @@ class Sample:
 
 
 def lay_sample(material: TextureTiles, cells: int = 12, seed: int = 0) -> Sample:
-    """A random piece of n x n cells, laid directly where the set allows it and by scanline otherwise."""
+    """Lay a random piece of n x n cells, directly where the set allows it and by scanline otherwise.
+
+    Parameters
+    ----------
+    material : TextureTiles
+        The picture of each tile.
+    cells : int, optional
+        Cells of the piece along a side, 4 to 64; default 12.
+    seed : int, optional
+        Seed of the tiling; default 0.
+
+    Returns
+    -------
+    Sample
+        The piece.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A number that is not an integer.
+    TilewrightValueError
+        A number out of range.
+    """
     n = check_int("cells", cells, 4, 64)
     return Sample(material, stochastic(material.tiles, n, n, seed).indices(0, 0, n, n))

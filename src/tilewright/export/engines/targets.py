@@ -56,6 +56,19 @@ def save_for_engine(material: TextureTiles, folder: str | Path, to: str, *, seed
         No such target, or the tiles are not a complete corner set.
     TilewrightFileError
         The folder holds other things, or cannot be written.
+
+    Examples
+    --------
+    >>> import os
+    >>> import tempfile
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> photo = np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8)
+    >>> material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size=16)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tw.save_for_engine(material, f"{folder}/glsl", "glsl", seed=7)
+    ...     print("README.md" in os.listdir(f"{folder}/glsl"))
+    True
     """
     check_type("material", material, TextureTiles, "TextureTiles")
     check_choice("to", to, TARGETS)

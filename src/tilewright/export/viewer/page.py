@@ -43,16 +43,18 @@ def save_viewer(
         (0, 0) on, laid by `direct` where it can and by `scanline` where not, and the seed cannot be changed.
     path : str or Path
         The ``.html`` file; its name is the page's title.
-    seed : int
-        The seed of the tiling that the page starts with, 0 to 2^64 - 1.
+    seed : int, optional
+        The seed of the tiling that the page starts with, 0 to 2^64 - 1; default 0.
     compare : SideBySide, optional
-        The material by five methods, from `tilewright.compare_textures` or, without figures,
-        `tilewright.side_by_side`: the page then shows plain repeat, hex-tiling, by-example noise, Wang tiles
-        and corner tiles under one camera, one at a time or two with a divider between them. It holds the
-        photograph and both tile sets, of the main map only and without alpha.
+        The material by five methods, from `compare_textures` or, without figures, `side_by_side`: the page
+        then shows plain repeat, hex-tiling, by-example noise, Wang tiles and corner tiles under one camera,
+        one at a time or two with a divider between them. It holds the photograph and both tile sets, of the
+        main map only and without alpha. By default only the material is shown.
 
     Raises
     ------
+    TilewrightTypeError
+        An argument of another type.
     TilewrightValueError
         Another suffix than ``.html``, a seed out of range, a set that leads into a dead end, or a comparison
         of another material.
@@ -63,6 +65,19 @@ def save_viewer(
     -----
     16-bit maps are rounded to 8 bit for the screen; float maps are scaled, and light encoded as sRGB (the
     page says from what to what). Mip levels of light are averaged linearly.
+
+    Examples
+    --------
+    >>> import os
+    >>> import tempfile
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> photo = np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8)
+    >>> material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size=16)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tw.save_viewer(material, f"{folder}/noise.html", seed=7)
+    ...     print(os.listdir(folder))
+    ['noise.html']
     """
     path = check_page(path)
     check_seed(seed)

@@ -102,6 +102,18 @@ def side_by_side(material: TextureTiles, *, seed: int = 0, progress: Progress | 
         Something else than texture tiles.
     TilewrightValueError
         The material was made from several photographs.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import tilewright as tw
+    >>> photo = np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8)
+    >>> material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size=16)
+    >>> planes = tw.side_by_side(material, seed=7)
+    >>> list(planes.contenders)
+    ['repeat', 'hex', 'noise', 'wang', 'corner']
+    >>> planes.contenders["hex"].field.render(0, 0, 40, 30).shape
+    (30, 40, 3)
     """
     check_type("material", material, TextureTiles, "TextureTiles")
     if len(material.sources) != 1:

@@ -105,6 +105,13 @@ def make_point_tiles(
         A relative radius for a method that takes none, or an argument of another type.
     TilewrightValueError
         An unknown method, or a number that the method cannot use.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tiles = tw.make_point_tiles("corner-relaxed", points=16, colors=2, seed=1)
+    >>> len(tiles.tiles), tiles.density
+    (16, 16.0)
     """
     known = TILE_METHODS[check_choice("method", method, tuple(TILE_METHODS))]
     given: dict[str, Any] = {"seed": seed, "progress": progress, **known.settings}

@@ -49,7 +49,7 @@ def kopf_tiles(
     """Point tiles of any density, by ranks and by recursion; see `recursive_points`.
 
     Every tile is made of subdivision x subdivision smaller tiles of the set, and its points are those of the
-    smaller tiles: the first points / subdivision^2 of each. The first points of a tile are so many as well.
+    smaller tiles: the first points / subdivision^2 of each. A tile's own first points are of the same number.
     So a tiling can be subdivided for ever, and every point stays. Within a tile points are ranked so that the
     first n of them are well spread for every n.
 

@@ -43,10 +43,10 @@ def shade_tiles(
     tiles : TileSet, optional
         Square tiles; Cohen's 8 Wang tiles by default.
     points : int
-        For how many points in each tile the distance is made. Tiles are filled until there is no room, which
-        at ``rho`` 0.756 is at about so many.
+        Number of points in each tile for which the distance is made. Tiles are filled until there is no room,
+        which at ``rho`` 0.756 is at about this number.
     rho : float
-        Relative radius for so many points, 0 up to 1.
+        Relative radius for this number of points, 0 up to 1.
     failures : int
         Darts missing in a row after which a set counts as full.
     seed : int or numpy Generator
