@@ -1,4 +1,4 @@
-"""Make the vectors that move Penrose points again, the table that comes with the package; it takes minutes."""
+"""Make the vectors that move Penrose points again, the table in the package; it takes minutes."""
 
 from pathlib import Path
 
