@@ -17,8 +17,6 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import tilewright as tw
-from tilewright.analysis import compare_textures
-from tilewright.fields.photos.contenders import SideBySide
 
 SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff")
 PICTURES = ("tiles", "wide", "close", "compare")
@@ -116,15 +114,15 @@ def make_bricks(side: int = 512, seed: int = 2) -> Picture:
     return np.clip(color, 0, 255).astype(np.uint8)
 
 
-def compare(photo: Picture) -> SideBySide:
+def compare(photo: Picture) -> tw.SideBySide:
     """The photograph on 16 corner tiles, and by the other methods."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", tw.TilewrightWarning)
         material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size="auto", seed=1)
-        return compare_textures(material, seed=7)
+        return tw.compare_textures(material, seed=7)
 
 
-def gallery_pictures(planes: SideBySide) -> dict[str, Picture]:
+def gallery_pictures(planes: tw.SideBySide) -> dict[str, Picture]:
     """Pictures for a screen."""
     return {
         "tiles": tile_sheet(planes),
@@ -134,12 +132,12 @@ def gallery_pictures(planes: SideBySide) -> dict[str, Picture]:
     }
 
 
-def docs_pictures(planes: SideBySide) -> dict[str, Picture]:
+def docs_pictures(planes: tw.SideBySide) -> dict[str, Picture]:
     """Pictures small enough to be kept."""
     return {"compare": strip(planes, 128)}
 
 
-def tile_sheet(planes: SideBySide) -> Picture:
+def tile_sheet(planes: tw.SideBySide) -> Picture:
     """The tiles with gaps, four in a row."""
     tiles = planes.material.pixels[..., :3]
     framed = np.pad(tiles, ((0, 0), (0, GAP), (0, GAP), (0, 0)), constant_values=255)
@@ -147,7 +145,7 @@ def tile_sheet(planes: SideBySide) -> Picture:
     return as_rgb(np.concatenate(rows))
 
 
-def strip(planes: SideBySide, side: int) -> Picture:
+def strip(planes: tw.SideBySide, side: int) -> Picture:
     """The five methods: above, three photographs' widths from afar; below, a part at full size."""
     far = 3 * max(planes.photo.shape[:2])
     panes = [
@@ -164,7 +162,7 @@ def strip(planes: SideBySide, side: int) -> Picture:
     return np.concatenate([part for pane in panes for part in (gap, pane)][1:], axis=1)
 
 
-def window(planes: SideBySide, method: str, extent: int, side: int) -> Picture:
+def window(planes: tw.SideBySide, method: str, extent: int, side: int) -> Picture:
     """A square of the plane of a method, reduced or enlarged to a size."""
     pixels = as_rgb(planes.contenders[method].field.render(0, 0, extent, extent))
     picture = Image.fromarray(pixels)

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
+from penrose_relaxation import relax_index
 from tilewright.analysis.points.spectrum import periodogram
 from tilewright.errors import Cancelled, TilewrightTypeError, TilewrightValueError
 from tilewright.samplers import penrose as tiling
 from tilewright.samplers.box import Box
 from tilewright.samplers.darts import dart_throwing
 from tilewright.samplers.penrose import PHI, TURNS, Window, find_samples, load_vectors, penrose_points
-from tilewright.samplers.penrose_relaxation import relax_index
 from tilewright.samplers.point_set import PointSet
 
 PLAIN = Box(torus=False)

@@ -1,6 +1,6 @@
 """How the vectors that move Penrose points are made.
 
-``python -m tilewright.samplers.penrose_relaxation`` makes the stored table again. The vectors are those of
+``tools/make_penrose_vectors.py`` makes the stored table again. The vectors are those of
 Lloyd's relaxation, each the mean over all points with the same indices
 (Ostromoukhov, Donohue & Jodoin 2004). Means alone leave relative radii of 0.50 to 0.72; so points that are
 still too close are then pushed apart, again by means over the indices, in which the closest pairs count most.

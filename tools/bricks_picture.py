@@ -5,10 +5,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from tilewright.fields.bricks.bonds import BondBricks
-from tilewright.fields.bricks.field import BrickField
-from tilewright.signals.bricks.style import BrickStyle
-from tilewright.tilings.bricks import brick_region, endless_brick_tiling
+import tilewright as tw
 
 TARGET = Path(__file__).parents[1] / "docs" / "images" / "bricks.jpg"
 WIDTH, HEIGHT, GAP = 600, 360, 8
@@ -28,7 +25,7 @@ def on_paper(pixels: np.ndarray) -> np.ndarray:
     return (share * pixels[..., :3] + (1 - share) * 255).astype(np.uint8)
 
 
-def maps(field: BrickField) -> np.ndarray:
+def maps(field: tw.BrickField) -> np.ndarray:
     """Strips of one window: light, color, height, normals, roughness, who is who."""
     strip = WIDTH // 6
     found = field.render(30, 40, WIDTH, HEIGHT)
@@ -48,9 +45,9 @@ def maps(field: BrickField) -> np.ndarray:
 
 def main() -> None:
     """Draw and save."""
-    endless = BrickField(endless_brick_tiling(3, seed=5), size=(120, 40))
-    gate = BrickField(brick_region(arch(), 3, seed=2), BrickStyle("sandstone"), size=(40, 24))
-    herringbone = BrickField(BondBricks("herringbone", (96, 32)), BrickStyle("yellow"))
+    endless = tw.BrickField(tw.endless_brick_tiling(3, seed=5), size=(120, 40))
+    gate = tw.BrickField(tw.brick_region(arch(), 3, seed=2), tw.BrickStyle("sandstone"), size=(40, 24))
+    herringbone = tw.BrickField(tw.BondBricks("herringbone", (96, 32)), tw.BrickStyle("yellow"))
     panels = (
         endless.preview(10**9, 0, WIDTH, HEIGHT),
         on_paper(gate.preview(0, 0, WIDTH, HEIGHT)),

@@ -1,15 +1,14 @@
-"""The picture of the samplers: points of eight methods, about as many each, with their relative radii.
-
-Run it from the root of the repository; it writes docs/images/samplers.png.
-"""
+"""Make docs/images/samplers.png: points of eight methods, about as many each, with their relative radii."""
 
 import io
+from pathlib import Path
 
 from matplotlib.figure import Figure
 from PIL import Image
 
 import tilewright as tw
 
+TARGET = Path(__file__).parents[1] / "docs" / "images" / "samplers.png"
 METHODS = ("uniform", "jittered", "elimination", "dart", "maximal", "lloyd", "scallop-boundary", "penrose")
 COUNT = 500
 COLUMNS, ROWS = 4, 2
@@ -33,7 +32,8 @@ def main() -> None:
     # Dots snap to pixels, which would move them visibly: draw larger.
     sheet.savefig(drawn, dpi=4 * DPI)
     gray = Image.open(drawn).convert("L").resize((WIDTH, HEIGHT), Image.Resampling.LANCZOS)
-    gray.quantize(16).save("docs/images/samplers.png", optimize=True)
+    gray.quantize(16).save(TARGET, optimize=True)
+    print(TARGET)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
-"""The picture of the README: a photograph, the photograph cropped and repeated, and the endless plane.
+"""Make docs/images/readme.jpg: a photograph, the photograph cropped and repeated, and the endless plane."""
 
-Run it from the root of the repository; it writes docs/images/readme.jpg.
-"""
+from pathlib import Path
 
 import numpy as np
 import skimage.data
@@ -9,6 +8,7 @@ from PIL import Image
 
 import tilewright as tw
 
+TARGET = Path(__file__).parents[1] / "docs" / "images" / "readme.jpg"
 SIDE = 640
 GAP = 16
 
@@ -25,9 +25,8 @@ def main() -> None:
     alone[top : top + 512, top : top + 512] = photo
     white = np.full((2 * SIDE, 2 * GAP), 255, np.uint8)
     whole = Image.fromarray(np.concatenate([alone, white, repeated, white, plane], axis=1))
-    whole.resize((3 * SIDE + 2 * GAP, SIDE), Image.Resampling.LANCZOS).save(
-        "docs/images/readme.jpg", quality=80
-    )
+    whole.resize((3 * SIDE + 2 * GAP, SIDE), Image.Resampling.LANCZOS).save(TARGET, quality=80)
+    print(TARGET)
 
 
 if __name__ == "__main__":

@@ -5,9 +5,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from tilewright.export.drawing.tiles import paint_tiling
-from tilewright.tiles.aperiodic import aperiodic_tiles
-from tilewright.tilings.aperiodic import aperiodic_tiling
+import tilewright as tw
 
 TARGET = Path(__file__).parents[1] / "docs" / "images" / "aperiodic.png"
 GAP = 12
@@ -15,8 +13,8 @@ GAP = 12
 
 def panel(name: str) -> np.ndarray:
     """Some tiles of a set, far away."""
-    tiling = aperiodic_tiling(aperiodic_tiles(name), seed=1)
-    return paint_tiling(tiling, 10**12, 10**12, 28, 18, size=22)
+    tiling = tw.aperiodic_tiling(tw.aperiodic_tiles(name), seed=1)
+    return tw.paint_tiling(tiling, 10**12, 10**12, 28, 18, size=22)
 
 
 def main() -> None:
