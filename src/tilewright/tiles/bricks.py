@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightValueError
+from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.shape import WANG
 from tilewright.tiles.tileset import MOST_FAMILY_COLORS, TileSet, check_tiles, decode
 
@@ -42,7 +43,7 @@ def brick_tiles(positions: int = 4) -> TileSet:
 def _brick_tiles(n: int) -> TileSet:
     slots = decode(np.arange(n**4), (n,) * 4)
     north, east, south, west = slots.T
-    return TileSet(WANG, slots[(north == south) != (east == west)], (n,) * 4, f"bricks-{n}")
+    return ListedTileSet(WANG, slots[(north == south) != (east == west)], (n,) * 4, f"bricks-{n}")
 
 
 def check_positions(value: int) -> int:

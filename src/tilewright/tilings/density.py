@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import check_choice, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.tiles import CORNER, CORNER_CODED, TileSet
+from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
-from tilewright.tilings.algorithms import Lattice, Slots, corner_slots, evaluate
-from tilewright.tilings.direct_tiling import SlotTiling, recognize
+from tilewright.tilings.algorithms import Algorithm, Lattice, Slots, corner_slots, recognize
+from tilewright.tilings.direct_tiling import SlotTiling
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import LatticeHash, as_grid, make_hash
 from tilewright.tilings.streams import COLORS, DENSITY, SECOND
@@ -22,7 +22,7 @@ Density = Callable[[NDArray[np.float64], NDArray[np.float64]], ArrayLike]
 class DensityTiling(SlotTiling):
     """A tiling whose marked corners follow a density; made by `density_tiling`."""
 
-    def __init__(self, tiles: TileSet, hash: LatticeHash, algorithm: str, density: Density) -> None:
+    def __init__(self, tiles: TileSet, hash: LatticeHash, algorithm: Algorithm, density: Density) -> None:
         super().__init__(tiles, Domain.plane(None))
         self.hash = hash
         self.algorithm = algorithm
@@ -38,9 +38,8 @@ class DensityTiling(SlotTiling):
         low = self.hash.grid(plain, COLORS, columns, rows)
         high = plain + self.hash.grid(colors - plain, SECOND, columns, rows)
         corners = corner_slots(np.where(marked, high, low).astype(np.uint8))
-        if self.tiles.shape is CORNER:
-            return corners
-        return evaluate(self.algorithm.removeprefix("marked-"), at) + corners
+        base = self.algorithm.base
+        return corners if base is None else base.slots(at) + corners
 
     def marks(self, columns: NDArray[np.int64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
         """The density at the lattice points of a grid, checked, shape (len(rows), len(columns))."""
@@ -90,10 +89,8 @@ def density_tiling(
         ``"clamp"`` repeats the map's border, ``"repeat"`` the map.
     """
     algorithm = recognize(check_tiles("tiles", tiles))
-    if not (
-        (tiles.shape is CORNER and algorithm == "corners" and tiles.colors[0] > 1)
-        or (tiles.shape is CORNER_CODED and algorithm is not None)
-    ):
+    has_corners = tiles.family == "corner" and tiles.colors[0] > 1
+    if algorithm is None or not (has_corners or algorithm.base):
         raise TilewrightValueError(
             "a density needs a complete corner set or a corner-coded set with all marks; "
             f"the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles is neither"
@@ -102,7 +99,7 @@ def density_tiling(
         check_choice("outside", outside, ("clamp", "repeat"))
         size = check_real("cells_per_pixel", cells_per_pixel, 1e-6, 1e9)
         density = _interpolate(_as_gray(density), size, outside)
-    return DensityTiling(tiles, make_hash(hash, seed), algorithm or "", density)
+    return DensityTiling(tiles, make_hash(hash, seed), algorithm, density)
 
 
 def _as_gray(given: ArrayLike) -> NDArray[np.float64]:

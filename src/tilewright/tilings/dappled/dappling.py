@@ -46,6 +46,7 @@ def dapple(
     Returns
     -------
     uint8 array, shape (height, width)
+        ``array_tiling(free_tiles(n), cells, torus=cyclic)`` makes a tiling of it, for signals of n tiles.
 
     Raises
     ------
