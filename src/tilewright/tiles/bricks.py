@@ -18,9 +18,6 @@ from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.shape import WANG
 from tilewright.tiles.tileset import MOST_FAMILY_COLORS, TileSet, check_tiles, decode
 
-HORIZONTAL, VERTICAL = 0, 1
-"""Classes of tiles: traversed along the row, W_H in the paper, and along the column, W_V."""
-
 
 def brick_tiles(positions: int = 4) -> TileSet:
     """The brick Wang tiles W over n positions: 2 n^2 (n - 1) of them (Kaji et al. 2016, section 4).
@@ -60,12 +57,6 @@ def check_bricks(name: str, given: Any) -> TileSet:
             f"{name} is the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; take brick_tiles(n)"
         )
     return tiles
-
-
-def brick_classes(tiles: TileSet) -> NDArray[np.uint8]:
-    """Class of every tile of a set of brick tiles, shape (T,): 0 for H, 1 for V."""
-    slots = check_bricks("tiles", tiles).slots
-    return (slots[:, 0] == slots[:, 2]).astype(np.uint8)
 
 
 def number_bricks(
