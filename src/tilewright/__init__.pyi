@@ -266,6 +266,9 @@ from .signals.textures import (
     synthesize as synthesize,
 )
 from .tiles import (
+    ListedTileSet as ListedTileSet,
+)
+from .tiles import (
     Shape as Shape,
 )
 from .tiles import (
@@ -309,6 +312,9 @@ from .tiles import (
 )
 from .tiles import (
     encode as encode,
+)
+from .tiles import (
+    free_tiles as free_tiles,
 )
 from .tiles import (
     shifted_wang_tiles as shifted_wang_tiles,

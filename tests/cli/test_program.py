@@ -163,8 +163,8 @@ def test_names_beyond_ascii(work):
         (lambda g: tw.analyze(None), "material must be TextureTiles"),
         (lambda g: tw.resynthesize(None), "material must be TextureTiles"),
         (lambda g: tw.TextureField(None, None), "a field takes TextureTiles"),
-        (lambda g: tw.TileSet(tw.corner_tiles(2).shape, [[0] * 4], (10**30,) * 4), "colors is 1000000"),
-        (lambda g: tw.TileSet(tw.corner_tiles(2).shape, [[0] * 4], (2, 2, 2, 3)), "need equally many"),
+        (lambda g: tw.ListedTileSet(tw.corner_tiles(2).shape, [[0] * 4], (10**30,) * 4), "colors is 1000000"),
+        (lambda g: tw.ListedTileSet(tw.corner_tiles(2).shape, [[0] * 4], (2, 2, 2, 3)), "need equally many"),
     ],
 )
 def test_wrong_types_get_one_clear_line(gravel, make, message):

@@ -19,9 +19,9 @@ from tilewright.signals.bricks.style import PALETTES, BrickStyle
 from tilewright.signals.bricks.texture import brick_texture_tiles
 from tilewright.signals.textures.texture_tiles import copy_from_sources
 from tilewright.tiles import wang_tiles
-from tilewright.tiles.bricks import brick_classes, brick_tiles
+from tilewright.tiles.bricks import brick_tiles
 from tilewright.tilings.bricks import endless_brick_tiling
-from walls import SMALL, WALLS, Draughtboard, plain
+from walls import SMALL, WALLS, Draughtboard, brick_classes, plain
 
 
 @pytest.mark.parametrize("count", [2, 3])

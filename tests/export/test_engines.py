@@ -33,7 +33,7 @@ CELLS = many_cells()
 @pytest.fixture(scope="module")
 def table():
     """Tiles of `CELLS`, by number of colors and seed: the one table all dialects are held against."""
-    return {(c, s): lookups.tile_table(c, s, *CELLS.T) for c in range(1, 9) for s in SEEDS}
+    return {(c, s): dialects.tile_table(c, s, *CELLS.T) for c in range(1, 9) for s in SEEDS}
 
 
 @pytest.fixture(scope="module")

@@ -8,6 +8,8 @@ import subprocess
 import numpy as np
 import pytest
 
+import tilewright as tw
+
 GLSLANG, SPIRV_VAL = shutil.which("glslangValidator"), shutil.which("spirv-val")
 _WIDTH = 64
 
@@ -270,3 +272,9 @@ def _run(device, source, layout, entries, window, format, kind, channels):
         {"texture": target}, {"bytes_per_row": row, "rows_per_image": height}, (width, height, 1)
     )
     return np.frombuffer(data, kind).reshape(height, width, channels)
+
+
+def tile_table(colors, seed, x, y):
+    """The tile of each cell (x, y), as `direct` lays them: what every dialect must answer."""
+    tiling = tw.direct(tw.corner_tiles(colors), seed)
+    return np.array([tiling.indices(int(i), int(j), 1, 1)[0, 0] for i, j in zip(x, y, strict=True)], np.int32)

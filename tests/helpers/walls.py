@@ -40,3 +40,8 @@ WALLS = {
     "wang of 2, closed": lambda: WangBricks(Draughtboard(2, (12, 12)), (30, 31)),
     **{bond: lambda bond=bond: BondBricks(bond, SMALL) for bond in BONDS},
 }
+
+
+def brick_classes(tiles):
+    """Class of every tile of a set of brick tiles: 0 for H, traversed along the row, 1 for V."""
+    return (tiles.slots[:, 0] == tiles.slots[:, 2]).astype(np.uint8)

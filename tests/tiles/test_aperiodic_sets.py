@@ -9,7 +9,7 @@ import pytest
 
 import tilewright as tw
 from tilewright.errors import TilewrightError, TilewrightWarning
-from tilewright.tiles import CORNER, WANG, TileSet, as_wang_tiles
+from tilewright.tiles import CORNER, WANG, ListedTileSet, as_wang_tiles
 from tilewright.tiles.aperiodic import (
     APERIODIC_SETS,
     MERGE_TO_24,
@@ -154,7 +154,7 @@ def test_constructions_against_all_choices(construction):
     rng = np.random.default_rng(5)
     for size in (2, 4, 8):
         whole = tw.wang_tiles(2, 3)
-        wang = TileSet(WANG, whole.slots[rng.choice(36, size, replace=False)], (2, 3, 2, 3))
+        wang = ListedTileSet(WANG, whole.slots[rng.choice(36, size, replace=False)], (2, 3, 2, 3))
         by_hand = corner_tiles_by_hand(wang, construction)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", TilewrightWarning)
@@ -214,7 +214,7 @@ def admissible(tiles, known):
 def test_groupings_are_the_best_of_all_partitions():
     rng = np.random.default_rng(3)
     for _ in range(12):
-        wang = TileSet(WANG, tw.wang_tiles(2).slots[rng.choice(16, 6, replace=False)], (2,) * 4)
+        wang = ListedTileSet(WANG, tw.wang_tiles(2).slots[rng.choice(16, 6, replace=False)], (2,) * 4)
         t = [tuple(map(int, row)) for row in wang.slots]
         good = [p for p in partitions(t) if all(admissible(part, set(t)) for part in p)]
         best = min((sum(len(q) for part in p for q in quarters(part)), len(p)) for p in good)

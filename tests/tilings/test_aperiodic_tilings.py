@@ -9,7 +9,7 @@ import pytest
 from handmade import handmade
 from tilewright.errors import TilewrightError, TilewrightTypeError, TilewrightValueError
 from tilewright.fields import TextureField
-from tilewright.tiles import TileSet, corner_tiles, wang_tiles
+from tilewright.tiles import ListedTileSet, corner_tiles, wang_tiles
 from tilewright.tiles.aperiodic import APERIODIC_SETS, aperiodic_tiles
 from tilewright.tiles.translations import CONSTRUCTIONS, as_corner_tiles
 from tilewright.tilings import array_tiling, direct, first_mismatch
@@ -66,7 +66,7 @@ def test_seeds_differ_and_the_order_of_tiles_does_not_matter(name):
     cells = aperiodic_tiling(tiles, 5).indices(3, 4, 30, 20)
     assert np.array_equal(cells, aperiodic_tiling(tiles, 5).indices(3, 4, 30, 20))
     assert not np.array_equal(cells, aperiodic_tiling(tiles, 6).indices(3, 4, 30, 20))
-    shuffled = TileSet(tiles.shape, np.random.default_rng(0).permutation(tiles.slots), tiles.colors)
+    shuffled = ListedTileSet(tiles.shape, np.random.default_rng(0).permutation(tiles.slots), tiles.colors)
     other = aperiodic_tiling(shuffled, 5).indices(3, 4, 30, 20)
     assert np.array_equal(shuffled.slots[other], tiles.slots[cells])
 

@@ -9,9 +9,10 @@ import pytest
 from mixer import mixer
 from tilewright.errors import TilewrightError
 from tilewright.tiles import corner_tiles, wang_tiles
-from tilewright.tiles.bricks import brick_classes, brick_tiles, check_bricks, number_bricks
+from tilewright.tiles.bricks import brick_tiles, check_bricks, number_bricks
 from tilewright.tilings import first_mismatch
 from tilewright.tilings.bricks import brick_tiling, endless_brick_tiling
+from walls import brick_classes
 
 FAR = 2**61
 WALLS = [(2, (2, 2)), (2, (3, 3)), (2, (3, 8)), (3, (2, 2)), (4, (3, 3)), (5, (5, 2)), (16, (8, 8))]

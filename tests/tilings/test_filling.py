@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tilewright.errors import TilewrightError, TilewrightTypeError, TilewrightValueError
-from tilewright.tiles import WANG, TileSet, corner_coded_tiles, corner_tiles, dominoes, wang_tiles
+from tilewright.tiles import WANG, ListedTileSet, corner_coded_tiles, corner_tiles, dominoes, wang_tiles
 from tilewright.tiles.aperiodic import aperiodic_tiles
 from tilewright.tilings import first_mismatch
 from tilewright.tilings.clauses import Undecided
@@ -19,7 +19,7 @@ def tiny_sets(count):
     draw = np.random.default_rng(5)
     for _ in range(count):
         codes = draw.choice(16, draw.integers(1, 5), replace=False)
-        yield TileSet(WANG, (codes[:, None] >> np.arange(4)) & 1, (2,) * 4)
+        yield ListedTileSet(WANG, (codes[:, None] >> np.arange(4)) & 1, (2,) * 4)
 
 
 def can_tile(tiles, width, height, torus):
@@ -94,7 +94,7 @@ def test_the_smallest_torus_is_that_of_brute_force():
     assert len(found) > 3
     # Three tiles in a ring east, and two in a ring south.
     rings = [[0, 1, 0, 0], [0, 2, 0, 1], [0, 0, 0, 2], [1, 3, 2, 3], [2, 3, 1, 3]]
-    assert periodic_tiling(TileSet(WANG, rings), 3, 3).domain.periods == (1, 2)
+    assert periodic_tiling(ListedTileSet(WANG, rings), 3, 3).domain.periods == (1, 2)
 
 
 def test_the_published_set_of_44_has_a_period_and_aperiodic_ones_have_none():

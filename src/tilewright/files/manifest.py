@@ -14,7 +14,7 @@ import numpy as np
 
 from tilewright.errors import TilewrightFileError
 from tilewright.files.atomic import MANIFEST
-from tilewright.tiles import TileSet, tile_set
+from tilewright.tiles import ListedTileSet, TileSet, tile_set
 from tilewright.tiles.shape import Shape
 
 SCHEMA = 2
@@ -46,7 +46,7 @@ class Tiles(msgspec.Struct, forbid_unknown_fields=True):
             )
         if any(len(row) != len(shape.slots) for row in self.slots):
             raise TilewrightFileError(f"every row of slots must have {len(shape.slots)} colors")
-        return TileSet(shape, np.array(self.slots), tuple(self.colors), self.name)
+        return ListedTileSet(shape, np.array(self.slots), tuple(self.colors), self.name)
 
 
 class Head(msgspec.Struct):

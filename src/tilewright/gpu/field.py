@@ -15,6 +15,7 @@ from tilewright.shaders.layouts import check_set, make_layout
 from tilewright.shaders.mipmaps import Mipmaps
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Tiling
+from tilewright.tilings.algorithms import CORNERS, EDGES
 from tilewright.tilings.direct_tiling import DirectTiling
 
 
@@ -95,7 +96,7 @@ class GpuField:
 
 def check_tiling(tiling: Tiling) -> DirectTiling:
     """The tiling, if a shader can evaluate it."""
-    if not isinstance(tiling, DirectTiling) or tiling.algorithm not in ("corners", "edges"):
+    if not isinstance(tiling, DirectTiling) or tiling.algorithm not in (CORNERS, EDGES):
         raise TilewrightValueError(
             "the tiling is not one that a GPU evaluates",
             advice="use direct(tiles, seed), with wang='edge-hash'",

@@ -94,8 +94,8 @@ def penrose_points(
     Notes
     -----
     Ostromoukhov, Donohue & Jodoin 2004; Lagae 2007, section 6.8. Departs from the paper in how the vectors
-    are made (their own table, see ``tools/penrose_relaxation.py``) and in the threshold, which is found from the
-    number of points instead of given by a density. Unlike the authors' program it leaves no holes (Lagae
+    are made (their own table, see ``tools/penrose_relaxation.py``) and in the threshold, which is found from
+    the number of points instead of given by a density. Unlike the authors' program it leaves no holes (Lagae
     2007, figure 6.16): all tiles in the box are subdivided.
     """
     domain = Box(torus=False) if box is None else check_box(box, plane="the Penrose method")

@@ -1,19 +1,16 @@
-"""The tile lookup of all shader dialects: its constants, its text, and the table it is tested against.
+"""The tile lookup of all shader dialects: its constants and its text.
 
 The hash is the mixer of ``docs/hashes.md``. Everything that it takes in before the low word of y depends on
 the seed and on the signs of x and y alone, and is worked out here; a shader is left with two rounds for the
 rows of lattice points around a cell and half a round for each of its four corners.
 """
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
-
 from tilewright import __version__
 from tilewright.checks import check_choice, check_int
 from tilewright.seeds import check_seed
 from tilewright.shaders.templates import fill, read_text
 from tilewright.tiles import corner_tiles
-from tilewright.tilings import MixerHash, direct
+from tilewright.tilings import MixerHash
 from tilewright.tilings.hashes import MULTIPLIERS
 from tilewright.tilings.packings.closed_form import packing
 
@@ -40,13 +37,6 @@ def start_states(seed: int) -> tuple[tuple[int, int], ...]:
     check_seed(seed)
     hash = MixerHash(seed)
     return tuple(hash.start(x_high, y_high) for y_high in (0, -1) for x_high in (0, -1))
-
-
-def tile_table(colors: int, seed: int, x: ArrayLike, y: ArrayLike) -> NDArray[np.int32]:
-    """The tile of each cell (x, y), as `direct` lays them: what every dialect must answer."""
-    tiling = direct(corner_tiles(colors), seed)
-    cells = zip(np.ravel(x), np.ravel(y), strict=True)
-    return np.array([tiling.indices(int(i), int(j), 1, 1)[0, 0] for i, j in cells], np.int32)
 
 
 def lookup(dialect: str, colors: int, seed: int, tile_size: int, gutter: int | None) -> str:

@@ -35,6 +35,9 @@ from .families import (
     dominoes as dominoes,
 )
 from .families import (
+    free_tiles as free_tiles,
+)
+from .families import (
     shifted_wang_tiles as shifted_wang_tiles,
 )
 from .families import (
@@ -45,6 +48,9 @@ from .families import (
 )
 from .families import (
     wang_tiles as wang_tiles,
+)
+from .listed import (
+    ListedTileSet as ListedTileSet,
 )
 from .shape import (
     CORNER as CORNER,
@@ -57,6 +63,9 @@ from .shape import (
 )
 from .shape import (
     DOMINO as DOMINO,
+)
+from .shape import (
+    FREE as FREE,
 )
 from .shape import (
     WANG as WANG,

@@ -14,9 +14,10 @@ from tilewright.checks import check_choice
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.blocks import drop_idle
 from tilewright.tiles.families import as_wang_tiles
+from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.merging import grouped_subdivision, merge_colors
 from tilewright.tiles.shape import CORNER, WANG
-from tilewright.tiles.tileset import TileSet
+from tilewright.tiles.tileset import CUSTOM, Family, TileSet
 from tilewright.tiles.translations import as_corner_tiles
 
 Table = tuple[tuple[int, int, int, int], ...]
@@ -91,7 +92,10 @@ def aperiodic_tiles(name: str = "jeandel-rao-11-5") -> TileSet:
 
 @cache
 def _make(name: str) -> TileSet:
-    return APERIODIC_SETS[name].make()
+    listed = APERIODIC_SETS[name]
+    made = listed.make()
+    family = CUSTOM if listed.status.startswith("NOT") else Family("aperiodic", {"name": name})
+    return ListedTileSet(made.shape, made.slots, made.colors, made.name, family=family)
 
 
 PUBLISHED_ONLY = ("ammann-24", "penrose-32")
@@ -139,23 +143,23 @@ MERGE_TO_24 = (
 
 
 def _wang(name: str, table: Table) -> Callable[[], TileSet]:
-    return lambda: TileSet(WANG, table, name=name)
+    return lambda: ListedTileSet(WANG, table, name=name)
 
 
 def _four_colors() -> TileSet:
     """Jeandel and Rao's second set: color 4 of the first becomes 0, on N and S edges."""
     n, e, s, w = np.array(_JEANDEL_RAO).T
-    return TileSet(WANG, np.stack([n % 4, e, s % 4, w], axis=1), name="jeandel-rao-11-4")
+    return ListedTileSet(WANG, np.stack([n % 4, e, s % 4, w], axis=1), name="jeandel-rao-11-4")
 
 
 def _lagae() -> TileSet:
     slots = np.roll(_LAGAE, -1, axis=1)  # NW, NE, SE, SW -> NE, SE, SW, NW
-    return TileSet(CORNER, slots, name="lagae-44 (not aperiodic)")
+    return ListedTileSet(CORNER, slots, name="lagae-44 (not aperiodic)")
 
 
 def _rotated() -> TileSet:
     made = as_corner_tiles(aperiodic_tiles("jeandel-rao-11-5"), "rotation")
-    return TileSet(CORNER, made.slots, made.colors, "jeandel-rao-36")
+    return ListedTileSet(CORNER, made.slots, made.colors, "jeandel-rao-36")
 
 
 def _rotated_in_use() -> TileSet:
@@ -164,7 +168,7 @@ def _rotated_in_use() -> TileSet:
 
 def _grouped() -> TileSet:
     made = grouped_subdivision(aperiodic_tiles("jeandel-rao-11-4")).tiles
-    return TileSet(CORNER, made.slots, made.colors, "jeandel-rao-37")
+    return ListedTileSet(CORNER, made.slots, made.colors, "jeandel-rao-37")
 
 
 def _merged_rotation() -> TileSet:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightValueError
+from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.tileset import TileSet, check_tiles
 from tilewright.tiles.translations import count_pairs, join
 
@@ -101,7 +102,7 @@ def drop_idle(tiles: TileSet, margin: int = 1, name: str | None = None) -> TileS
     kept = possible_blocks(tiles, 1, margin).ravel()
     if not len(kept):
         raise TilewrightValueError(f"no tile of the {tiles.name} set remains: it does not tile the plane")
-    return TileSet(tiles.shape, tiles.slots[kept], tiles.colors, tiles.name if name is None else name)
+    return ListedTileSet(tiles.shape, tiles.slots[kept], tiles.colors, tiles.name if name is None else name)
 
 
 def match_along(tiles: TileSet, axis: int, before: NDArray[Any], after: NDArray[Any]) -> NDArray[np.bool_]:
@@ -152,4 +153,5 @@ def _following(tiles: TileSet, axis: int, blocks: Blocks) -> tuple[NDArray[np.in
 
 def _sides(tiles: TileSet, axis: int) -> tuple[list[int], list[int]]:
     """The slots of a tile that meet its next neighbor's along an axis, and those of the neighbor."""
-    return [far for far, _ in tiles.shape.joints[axis]], [near for _, near in tiles.shape.joints[axis]]
+    joint = tiles.shape.across(axis)
+    return [far for far, _ in joint], [near for _, near in joint]

@@ -14,11 +14,9 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightValueError
+from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.shape import WANG
 from tilewright.tiles.tileset import MOST_FAMILY_COLORS, TileSet, check_tiles, decode
-
-HORIZONTAL, VERTICAL = 0, 1
-"""Classes of tiles: traversed along the row, W_H in the paper, and along the column, W_V."""
 
 
 def brick_tiles(positions: int = 4) -> TileSet:
@@ -63,7 +61,7 @@ def brick_tiles(positions: int = 4) -> TileSet:
 def _brick_tiles(n: int) -> TileSet:
     slots = decode(np.arange(n**4), (n,) * 4)
     north, east, south, west = slots.T
-    return TileSet(WANG, slots[(north == south) != (east == west)], (n,) * 4, f"bricks-{n}")
+    return ListedTileSet(WANG, slots[(north == south) != (east == west)], (n,) * 4, f"bricks-{n}")
 
 
 def check_positions(value: int) -> int:
@@ -82,12 +80,6 @@ def check_bricks(name: str, given: Any) -> TileSet:
             advice="take brick_tiles(n)",
         )
     return tiles
-
-
-def brick_classes(tiles: TileSet) -> NDArray[np.uint8]:
-    """Class of every tile of a set of brick tiles, shape (T,): 0 for H, 1 for V."""
-    slots = check_bricks("tiles", tiles).slots
-    return (slots[:, 0] == slots[:, 2]).astype(np.uint8)
 
 
 def number_bricks(

@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.families import cohen_tiles
+from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.shape import CORNER_CODED, WANG
 from tilewright.tiles.tileset import TileSet, check_tiles, decode
 
@@ -55,7 +56,7 @@ def corner_coded_tiles(base: TileSet | None = None, *, scanline_only: bool = Fal
         ne, se, sw, nw = slots[:, 4:].astype(int).T
         slots = slots[(se + ne + sw + nw + rank) % 2 == 0]
         name = "corner-coded-scanline"
-    return TileSet(CORNER_CODED, slots, base.colors + (2,) * 4, name)
+    return ListedTileSet(CORNER_CODED, slots, base.colors + (2,) * 4, name)
 
 
 def crossed_wang_tiles(colors: int = 2) -> TileSet:
@@ -94,7 +95,7 @@ def crossed_wang_tiles(colors: int = 2) -> TileSet:
     corners = [(ne_n, ne_e, e, n), (e, se_e, se_s, s), (w, s, sw_s, sw_w), (nw_n, n, w, nw_w)]
     codes = [((north * c + east) * c + south) * c + west for north, east, south, west in corners]
     slots = np.stack([n, e, s, w, *codes], axis=1)
-    return TileSet(CORNER_CODED, slots, (c,) * 4 + (c**4,) * 4, "crossed")
+    return ListedTileSet(CORNER_CODED, slots, (c,) * 4 + (c**4,) * 4, "crossed")
 
 
 def _rank_among_alike(rows: NDArray[np.uint8]) -> NDArray[np.int64]:

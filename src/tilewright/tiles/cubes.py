@@ -4,68 +4,16 @@ Conventions: x east, y south, z down. The faces of a Wang cube are N, E, S, W, U
 cell's own z) and D; the corners of a corner cube are NE, SE, SW, NW of the upper face, then of the lower.
 """
 
-from collections.abc import Callable
-from math import prod
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError
+from tilewright.tiles.ruled import RuledTileSet
 from tilewright.tiles.shape import CORNER_CUBE, WANG_CUBE, Shape
-from tilewright.tiles.tileset import TileSet, as_slots, check_colors, decode, encode
+from tilewright.tiles.tileset import Family, TileSet, check_colors
 
-_MOST_LISTED = 2**24
 _NWU, _SED = CORNER_CUBE.slot("NWU"), CORNER_CUBE.slot("SED")
-
-Rule = Callable[[NDArray[Any], int], NDArray[Any]]
-
-
-class RuledTileSet(TileSet):
-    """A tile set whose tiles follow from their index, so that it need not be listed.
-
-    The index is a mixed-radix number; a rule turns its digits into the slots' colors and another turns
-    colors back. ``slots`` lists up to 2^24 tiles on first use.
-    """
-
-    def __init__(
-        self, shape: Shape, colors: int, name: str, radices: tuple[int, ...], to_slots: Rule, to_digits: Rule
-    ) -> None:
-        self.shape = shape
-        self.name = name
-        self.colors = (colors,) * len(shape.slots)
-        self._radices = radices
-        self._to_slots, self._to_digits = to_slots, to_digits
-        self._listed: NDArray[np.uint8] | None = None
-
-    @property
-    def slots(self) -> NDArray[np.uint8]:
-        """Colors of every tile, shape (T, S), read-only; listed on first use."""
-        if self._listed is None:
-            if len(self) > _MOST_LISTED:
-                raise TilewrightValueError(
-                    f"the {self.name} set of {len(self)} {self.shape.name} tiles is too large to list",
-                    advice="slots_of() and find() work without a list",
-                )
-            self._listed = self.slots_of(np.arange(len(self)))
-            self._listed.setflags(write=False)
-        return self._listed
-
-    def __len__(self) -> int:
-        return prod(self._radices)
-
-    def slots_of(self, index: ArrayLike) -> NDArray[np.uint8]:
-        """Colors of the tiles with the given indices, along a new last axis."""
-        digits = decode(self._check_index(index), self._radices)
-        return self._to_slots(digits.astype(np.int64), self.colors[0]).astype(np.uint8)
-
-    def find(self, slots: ArrayLike) -> NDArray[np.int64]:
-        """Indices of the tiles with the given colors, shape (..., S); -1 where the set has no such tile."""
-        asked = as_slots(slots, len(self.colors)).astype(np.int64)
-        digits = self._to_digits(asked, self.colors[0])
-        valid = (digits >= 0) & (digits < np.array(self._radices))
-        index = encode(np.where(valid, digits, 0), self._radices)
-        return np.where(valid.all(axis=-1) & (self.slots_of(index) == asked).all(axis=-1), index, -1)
 
 
 def corner_cubes(colors: int = 2) -> TileSet:
@@ -153,7 +101,8 @@ def compact_corner_cubes(colors: int = 2) -> TileSet:
     if c <= 2:
         return _complete(CORNER_CUBE, c)
     radices = (c,) * _SED + (2,) + (c,) * (7 - _SED)
-    return RuledTileSet(CORNER_CUBE, c, "compact-2", radices, _step_to_sed, _sed_to_step)
+    family = Family("compact-corner-cube", {"colors": c, "choices": 2})
+    return RuledTileSet(CORNER_CUBE, c, "compact-2", family, radices, _step_to_sed, _sed_to_step)
 
 
 def compact_wang_cubes(colors: int = 2) -> TileSet:
@@ -186,11 +135,13 @@ def compact_wang_cubes(colors: int = 2) -> TileSet:
     space without a period.
     """
     c = check_colors(colors)
-    return RuledTileSet(WANG_CUBE, c, "compact", (c, c, c, min(c, 2)), _bit_to_faces, _faces_to_bit)
+    family = Family("compact-wang-cube" if c > 1 else "wang-cube", {"colors": c})
+    return RuledTileSet(WANG_CUBE, c, "compact", family, (c, c, c, min(c, 2)), _bit_to_faces, _faces_to_bit)
 
 
 def _complete(shape: Shape, c: int) -> TileSet:
-    return RuledTileSet(shape, c, "complete", (c,) * len(shape.slots), _same, _same)
+    family = Family(shape.name, {"colors": c})
+    return RuledTileSet(shape, c, "complete", family, (c,) * len(shape.slots), _same, _same)
 
 
 def _same(digits: NDArray[Any], colors: int) -> NDArray[Any]:

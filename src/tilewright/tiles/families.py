@@ -1,7 +1,7 @@
 """Named tile sets: complete, compact, and the published small sets.
 
-Every set is built from a rule that says which colors its tiles may carry, so that a direct tiling can
-recognize it from its slots alone, also when it comes from a file.
+Every set is built from a rule that says which colors its tiles may carry, by which `recognition` tells it
+from its slots alone, also when it comes from a file.
 """
 
 from math import prod
@@ -10,12 +10,13 @@ import numpy as np
 
 from tilewright.checks import check_choice, check_int
 from tilewright.errors import TilewrightValueError
-from tilewright.tiles.shape import CORNER, CORNER_CODED, CORNER_CUBE, DOMINO, WANG, WANG_CUBE, Shape
-from tilewright.tiles.tileset import TileSet, check_colors, check_tiles, decode
+from tilewright.tiles.listed import ListedTileSet
+from tilewright.tiles.shape import CORNER, CORNER_CODED, CORNER_CUBE, DOMINO, FREE, WANG, WANG_CUBE, Shape
+from tilewright.tiles.tileset import MOST_COLORS, TileSet, check_colors, check_tiles, decode
 
 
 def _complete(shape: Shape, radices: tuple[int, ...]) -> TileSet:
-    return TileSet(shape, decode(np.arange(prod(radices)), radices), radices, "complete")
+    return ListedTileSet(shape, decode(np.arange(prod(radices)), radices), radices, "complete")
 
 
 def dominoes(colors: int = 2) -> TileSet:
@@ -43,6 +44,22 @@ def dominoes(colors: int = 2) -> TileSet:
     Lagae 2007, section 2.10.
     """
     return _complete(DOMINO, (check_colors(colors),) * 2)
+
+
+def free_tiles(count: int = 2) -> TileSet:
+    """Tiles that may meet anywhere, without edges or corners: the tiles of dappled tilings.
+
+    Parameters
+    ----------
+    count : int
+        Number of tiles, 1 to 32,768.
+
+    Returns
+    -------
+    TileSet
+        Its one slot, ``tile``, is the tile's index.
+    """
+    return _complete(FREE, (check_int("count", count, 1, MOST_COLORS),))
 
 
 def wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> TileSet:
@@ -129,7 +146,7 @@ def corner_tiles(colors: int = 2, choices: int | None = None) -> TileSet:
     if d == c:
         return full
     _, se, _, nw = full.slots.astype(int).T
-    return TileSet(CORNER, full.slots[(se - d * nw) % c < d], (c,) * 4, f"compact-{d}")
+    return ListedTileSet(CORNER, full.slots[(se - d * nw) % c < d], (c,) * 4, f"compact-{d}")
 
 
 def column_corner_tiles(colors: int = 2, choices: int = 2) -> TileSet:
@@ -168,7 +185,7 @@ def column_corner_tiles(colors: int = 2, choices: int = 2) -> TileSet:
     d = check_int("choices", choices, 2, c)
     ne, se, sw, nw = full.slots.astype(int).T
     keep = ((sw - d * nw) % c < d) & ((se - d * ne) % c < d)
-    return TileSet(CORNER, full.slots[keep], (c,) * 4, f"columns-{d}")
+    return ListedTileSet(CORNER, full.slots[keep], (c,) * 4, f"columns-{d}")
 
 
 def compact_wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> TileSet:
@@ -205,7 +222,7 @@ def compact_wang_tiles(colors: int = 2, vertical_colors: int | None = None) -> T
     s = (n + b + 2 * w) % c_h
     e = (w + b + 2 * s) % c_v
     slots = np.unique(np.stack([n, e, s, w], axis=1), axis=0)
-    return TileSet(WANG, slots, (c_h, c_v, c_h, c_v), "compact")
+    return ListedTileSet(WANG, slots, (c_h, c_v, c_h, c_v), "compact")
 
 
 def cohen_tiles(count: int = 8) -> TileSet:
@@ -271,7 +288,7 @@ def summed_wang_tiles(colors: int = 2) -> TileSet:
     c = check_colors(colors)
     ne, se, sw, nw = _complete(CORNER, (c,) * 4).slots.astype(int).T
     slots = np.stack([nw + ne, ne + se, se + sw, sw + nw], axis=1) % c
-    return TileSet(WANG, np.unique(slots, axis=0), (c,) * 4, "summed")
+    return ListedTileSet(WANG, np.unique(slots, axis=0), (c,) * 4, "summed")
 
 
 def shifted_wang_tiles(colors: int = 2) -> TileSet:
@@ -307,7 +324,7 @@ def shifted_wang_tiles(colors: int = 2) -> TileSet:
         )
     n, w, b = (a.ravel() for a in np.indices((c, c, 2)))
     slots = np.stack([n, (2 * w + b) % c, (2 * n + b) % c, w], axis=1)
-    return TileSet(WANG, slots, (c,) * 4, "shifted")
+    return ListedTileSet(WANG, slots, (c,) * 4, "shifted")
 
 
 def tile_set(slots: object, shape: str = "wang", *, name: str = "custom") -> TileSet:
@@ -319,8 +336,8 @@ def tile_set(slots: object, shape: str = "wang", *, name: str = "custom") -> Til
         The colors of each tile, 0 to 2^15 - 1, a row for each tile. Columns are in the order of the shape: N,
         E, S, W for Wang tiles, NE, SE, SW, NW for corner tiles; see `Shape`.
     shape : str, optional
-        ``"domino"``, ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"wang-cube"`` or ``"corner-cube"``;
-        default ``"wang"``.
+        ``"domino"``, ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"wang-cube"``, ``"corner-cube"``
+        or ``"free"``; default ``"wang"``.
     name : str, optional
         What messages and files call the set; default ``"custom"``.
 
@@ -346,8 +363,8 @@ def tile_set(slots: object, shape: str = "wang", *, name: str = "custom") -> Til
     >>> tiles.find([1, 0, 0, 1]).item()
     1
     """
-    shapes = {s.name: s for s in (DOMINO, WANG, CORNER, CORNER_CODED, WANG_CUBE, CORNER_CUBE)}
-    return TileSet(shapes[check_choice("shape", shape, tuple(shapes))], slots, name=name)  # type: ignore[arg-type]
+    shapes = {s.name: s for s in (DOMINO, WANG, CORNER, CORNER_CODED, WANG_CUBE, CORNER_CUBE, FREE)}
+    return ListedTileSet(shapes[check_choice("shape", shape, tuple(shapes))], slots, name=name)  # type: ignore[arg-type]
 
 
 def as_wang_tiles(corners: TileSet) -> TileSet:
@@ -387,7 +404,7 @@ def as_wang_tiles(corners: TileSet) -> TileSet:
     level, n_s = np.unique([nw * c + ne, sw * c + se], return_inverse=True)
     upright, e_w = np.unique([ne * c + se, nw * c + sw], return_inverse=True)
     (n, s), (e, w) = n_s.reshape(2, -1), e_w.reshape(2, -1)
-    return TileSet(
+    return ListedTileSet(
         WANG,
         np.stack([n, e, s, w], axis=1),
         (len(level), len(upright)) * 2,

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import as_integers, range_error
 from tilewright.errors import TilewrightValueError
+from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.shape import CORNER
 from tilewright.tiles.tileset import MOST_COLORS, TileSet, check_tiles
 from tilewright.tiles.translations import distinct, subdivide, wang_slots
@@ -50,7 +51,7 @@ def merge_colors(tiles: TileSet, mapping: ArrayLike, name: str | None = None) ->
         )
     new = check_mapping(mapping, tiles)
     slots = distinct(new[tiles.slots.astype(np.int64)])
-    return TileSet(CORNER, slots, name=f"{tiles.name}, merged" if name is None else name)
+    return ListedTileSet(CORNER, slots, name=f"{tiles.name}, merged" if name is None else name)
 
 
 def check_mapping(mapping: ArrayLike, tiles: TileSet) -> NDArray[np.int64]:
@@ -127,7 +128,9 @@ def grouped_subdivision(wang: TileSet) -> Grouping:
         center[list(members)] = color
     edge_colors = max(wang.colors)
     made = subdivide(slots, center, edge_colors)
-    tiles = TileSet(CORNER, made, (edge_colors + len(classes) + 1,) * 4, f"{wang.name}, grouped subdivision")
+    tiles = ListedTileSet(
+        CORNER, made, (edge_colors + len(classes) + 1,) * 4, f"{wang.name}, grouped subdivision"
+    )
     return Grouping(tiles, classes, 4 * count)
 
 

@@ -1,15 +1,17 @@
 """The kinds of tile: which slots a tile has and which of them must agree across each axis.
 
-A slot is a place that carries a color: an edge, a corner, a face. A joint says, for one axis, which
-slots of a tile (its far side: east, south, bottom) must equal which slots of the next tile (its near
-side: west, north, top). Everything that lays or checks tiles works from the joints alone, so Wang
-tiles, corner tiles and sets with both need no separate code.
+A slot is a place that carries a color: an edge, a corner, a face. A joint says which slots of a tile (its
+far side: east, south, bottom) must equal which slots of the tile one step on (its near side: west, north,
+top). Everything that lays or checks tiles works from the joints alone, so Wang tiles, corner tiles and sets
+with both need no separate code.
 """
 
 from dataclasses import dataclass
 
+from tilewright.errors import TilewrightValueError
+
 Joint = tuple[tuple[int, int], ...]
-"""Pairs (slot of this tile, slot of the next tile along the axis) that must carry one color."""
+"""Pairs (slot of this tile, slot of the tile one step on) that must carry one color."""
 
 
 @dataclass(frozen=True)
@@ -19,12 +21,17 @@ class Shape:
     Attributes
     ----------
     name : str
-        ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"domino"``, ``"wang-cube"`` or ``"corner-cube"``.
+        ``"wang"``, ``"corner"``, ``"corner-coded"``, ``"domino"``, ``"wang-cube"``, ``"corner-cube"`` or
+        ``"free"``.
     slots : tuple of str
         Slot names in index order, such as ``("N", "E", "S", "W")``.
     joints : tuple of Joint
-        One joint for each axis, in the order x (east), y (south), z (down). A joint is a tuple of pairs: a
-        slot of a tile, and the slot of the next tile along the axis that must carry the same color.
+        What must agree, for each step. A joint is a tuple of pairs: a slot of a tile, and the slot of the
+        next tile along the step that must carry the same color.
+    steps : tuple of tuple of int
+        Cells from a tile to the one that a joint speaks of, x first; by default one joint along each axis, in
+        the order x (east), y (south), z (down). Several joints may have one step, and steps may be slanted,
+        as between hexagons in rows that are shifted.
 
     Notes
     -----
@@ -35,11 +42,37 @@ class Shape:
     name: str
     slots: tuple[str, ...]
     joints: tuple[Joint, ...]
+    steps: tuple[tuple[int, ...], ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.steps:
+            object.__setattr__(self, "steps", _axes(len(self.joints)))
+        if len(self.steps) != len(self.joints) or len({len(step) for step in self.steps}) != 1:
+            raise TilewrightValueError(
+                f"steps is {self.steps}; {len(self.joints)} joints need as many steps, all of one length"
+            )
 
     @property
     def dimension(self) -> int:
         """1 for dominoes, 2 for square tiles, 3 for cubes."""
-        return len(self.joints)
+        return len(self.steps[0])
+
+    def across(self, axis: int) -> Joint:
+        """All pairs of slots that must agree between a tile and the next along an axis.
+
+        Raises
+        ------
+        TilewrightValueError
+            Some tiles meet otherwise than along an axis.
+        """
+        axes = _axes(self.dimension)
+        if not set(self.steps) <= set(axes):
+            raise TilewrightValueError(
+                f"{self.name} tiles meet across steps {', '.join(map(str, self.steps))}; this is for tiles "
+                "that meet along the axes alone"
+            )
+        joints = zip(self.steps, self.joints, strict=True)
+        return tuple(pair for step, joint in joints if step == axes[axis] for pair in joint)
 
     def slot(self, name: str) -> int:
         """Give the number of a slot.
@@ -62,6 +95,11 @@ class Shape:
         return self.slots.index(name)
 
 
+def _axes(dimension: int) -> tuple[tuple[int, ...], ...]:
+    """A step along each axis, x first."""
+    return tuple(tuple(int(a == b) for b in range(dimension)) for a in range(dimension))
+
+
 def _joints(slots: tuple[str, ...], *axes: str) -> tuple[Joint, ...]:
     """Joints written as ``"E-W NE-NW"``, one string per axis."""
     split = [[pair.split("-") for pair in axis.split()] for axis in axes]
@@ -82,6 +120,9 @@ CORNER_CODED = Shape(
     _joints(_EDGES_AND_CORNERS, "E-W NE-NW SE-SW", "S-N SW-NW SE-NE"),
 )
 """Wang tiles with colored corners too: N, E, S, W, NE, SE, SW, NW."""
+
+FREE = Shape("free", ("tile",), ((), ()))
+"""Tiles that may meet anywhere: their one slot says which they are."""
 
 # Cubes: x east, y south, z down; U is the upper face, at the cell's own z, D the lower one.
 _FACES = (*_NESW, "U", "D")

@@ -1,7 +1,8 @@
 """What may meet: a finite set of tiles with colored slots."""
 
+from abc import ABC, abstractmethod
 from math import prod
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,20 +25,22 @@ def check_colors(value: int, low: int = 1, name: str = "colors") -> int:
     return check_int(name, value, low, MOST_FAMILY_COLORS)
 
 
-class TileSet:
-    """A finite set of tiles of one shape.
+class Family(NamedTuple):
+    """What a set is an instance of: the maker's kind of set, and what it was asked for."""
 
-    Parameters
-    ----------
-    shape : Shape
-        The kind of tile, for example `WANG` or `CORNER`.
-    slots : array-like of int, shape (T, S)
-        The colors of each tile, 0 to 2^15 - 1; a row for each tile, a column for each slot of ``shape``.
-    colors : tuple of int, optional
-        Number of colors of each slot, 1 to 2^15; by default one more than the largest color that the slots
-        which can meet carry.
-    name : str, optional
-        What messages and files call the set; default ``"custom"``.
+    name: str
+    parameters: dict[str, Any]
+
+
+CUSTOM = Family("custom", {})
+"""The family of sets of which nothing more is known."""
+
+
+class TileSet(ABC):
+    """A finite set of tiles of one shape: what may meet.
+
+    How many tiles there are, the slots of each, and the tiles that fit slots are all that anything asks of a
+    set. `ListedTileSet` has them in a table, `RuledTileSet` computes them.
 
     Attributes
     ----------
@@ -48,101 +51,29 @@ class TileSet:
     name : str
         What messages and files call the set.
 
-    Raises
-    ------
-    TilewrightTypeError
-        Something that is not a `Shape`, or colors that are not integers.
-    TilewrightValueError
-        The set is empty, has a wrong number of slots or a tile twice, or a color is out of range.
-
     Notes
     -----
-    The index of a tile is its row in ``slots``. The *code* of a tile is the mixed-radix number of its
-    colors (Lagae 2007, section 2.7, eq. 2.1 to 2.7); in a complete set code and index are the same.
+    The *code* of a tile is the mixed-radix number of its colors (Lagae 2007, section 2.7, eq. 2.1 to 2.7);
+    in a complete set code and index are the same.
 
     Examples
     --------
     >>> import tilewright as tw
-    >>> tiles = tw.TileSet(tw.corner_tiles(2).shape, [[0, 0, 0, 0], [0, 1, 0, 1], [1, 0, 1, 0]], name="mine")
+    >>> tiles = tw.tile_set([[0, 0, 0, 0], [0, 1, 0, 1], [1, 0, 1, 0]], "corner", name="mine")
     >>> tiles
     <TileSet mine: 3 corner tiles, colors (2, 2, 2, 2)>
     >>> tiles.fitting(NE=0, SE=1)
     array([1])
     """
 
-    def __init__(
-        self, shape: Shape, slots: ArrayLike, colors: tuple[int, ...] | None = None, name: str = "custom"
-    ) -> None:
-        check_type("shape", shape, Shape, "a Shape such as WANG")
-        table = as_integers("slots", slots)
-        if table.ndim != 2 or table.shape[1] != len(shape.slots) or not len(table):
-            raise TilewrightValueError(
-                f"has shape {table.shape}; {shape.name} tiles need (tiles, {len(shape.slots)}) with "
-                f"columns {', '.join(shape.slots)} and at least one tile",
-                argument="slots",
-                value=table.shape,
-            )
-        if table.min() < 0 or table.max() >= MOST_COLORS:
-            raise TilewrightValueError(
-                f"holds colors {table.min()} to {table.max()}; allowed are 0 to {MOST_COLORS - 1}",
-                argument="slots",
-                allowed=f"0 to {MOST_COLORS - 1}",
-            )
-        self.shape = shape
-        self.name = name
-        self.colors = check_palette(_radices(shape, table) if colors is None else colors)
-        self._slots: Slots = table.astype(slot_type(self.colors))
-        self._slots.setflags(write=False)
-        self._check_colors()
-        codes = self.codes
-        if len(np.unique(codes)) != len(codes):
-            raise TilewrightValueError(f"the {name} set holds a tile twice")
+    shape: Shape
+    name: str
+    colors: tuple[int, ...]
 
-    def _check_colors(self) -> None:
-        if len(self.colors) != len(self.shape.slots):
-            raise TilewrightValueError(
-                f"has {len(self.colors)} entries; {self.shape.name} tiles have {len(self.shape.slots)}",
-                argument="colors",
-                value=len(self.colors),
-            )
-        for far, near in (pair for joint in self.shape.joints for pair in joint):
-            if self.colors[far] != self.colors[near]:
-                raise TilewrightValueError(
-                    f"is {self.colors}; {self.shape.slots[far]} and {self.shape.slots[near]} meet, so "
-                    "they need equally many",
-                    argument="colors",
-                    value=self.colors,
-                )
-        over = (self.slots >= np.array(self.colors)).nonzero()
-        if len(over[0]):
-            tile, slot = int(over[0][0]), int(over[1][0])
-            raise TilewrightValueError(
-                f"has color {self.slots[tile, slot]} at {self.shape.slots[slot]}; that slot has "
-                f"{self.colors[slot]} colors",
-                argument=f"tile {tile}",
-            )
+    @abstractmethod
+    def __len__(self) -> int: ...
 
-    @property
-    def slots(self) -> Slots:
-        """Colors of every tile: shape (T, S), read-only; uint8, or uint16 for more than 256 colors."""
-        return self._slots
-
-    def __len__(self) -> int:
-        return len(self._slots)
-
-    def __repr__(self) -> str:
-        return f"<TileSet {self.name}: {len(self)} {self.shape.name} tiles, colors {self.colors}>"
-
-    @property
-    def codes(self) -> NDArray[np.int64]:
-        """Mixed-radix number of each tile's colors: int64, shape (T,)."""
-        return encode(self.slots, self.colors)
-
-    @property
-    def is_complete(self) -> bool:
-        """Whether every combination of colors is there."""
-        return len(self) == prod(self.colors)
-
+    @abstractmethod
     def slots_of(self, index: ArrayLike) -> Slots:
         """Look up the colors of tiles.
 
@@ -163,8 +94,8 @@ class TileSet:
         TilewrightValueError
             An index is out of range.
         """
-        return self.slots[self._check_index(index)]
 
+    @abstractmethod
     def find(self, slots: ArrayLike) -> NDArray[np.int64]:
         """Look up tiles by their colors.
 
@@ -185,22 +116,41 @@ class TileSet:
         TilewrightValueError
             The last axis is not as long as a tile has slots.
         """
-        asked = as_slots(slots, len(self.colors))
-        codes = self.codes
-        order = np.argsort(codes)
-        valid = (asked >= 0) & (asked < np.array(self.colors))
-        wanted = encode(np.where(valid, asked, 0), self.colors)
-        place = order[np.searchsorted(codes, wanted, sorter=order).clip(max=len(self) - 1)]
-        return np.where(valid.all(axis=-1) & (codes[place] == wanted), place, -1)
 
-    def _check_index(self, index: ArrayLike) -> NDArray[np.int64]:
-        asked = as_integers("index", index)
-        if asked.size and (asked.min() < 0 or asked.max() >= len(self)):
-            raise TilewrightValueError(
-                f"holds {asked.min()} to {asked.max()}; the set has tiles 0 to {len(self) - 1}",
-                argument="index",
-            )
-        return asked.astype(np.int64)
+    @property
+    @abstractmethod
+    def slots(self) -> Slots:
+        """Colors of every tile: shape (T, S), read-only; uint8, or uint16 for more than 256 colors."""
+
+    @property
+    def family(self) -> str:
+        """Which kind of set it is: ``"corner"``, ``"compact-corner"``, ``"summed"`` ...; else ``"custom"``.
+
+        Listed sets are told by their tiles, in whatever order and from whatever file they come.
+        """
+        return self._family.name
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """What makes a set of this family this one, such as ``{"colors": 4, "choices": 2}``."""
+        return dict(self._family.parameters)
+
+    @property
+    def _family(self) -> Family:
+        return CUSTOM
+
+    def __repr__(self) -> str:
+        return f"<TileSet {self.name}: {len(self)} {self.shape.name} tiles, colors {self.colors}>"
+
+    @property
+    def codes(self) -> NDArray[np.int64]:
+        """Mixed-radix number of each tile's colors: int64, shape (T,)."""
+        return encode(self.slots, self.colors)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether every combination of colors is there."""
+        return len(self) == prod(self.colors)
 
     def fitting(self, **known: int) -> NDArray[np.int64]:
         """List the tiles of which some slots carry given colors.
@@ -233,18 +183,17 @@ class TileSet:
             keep &= slots[:, number] == check_int(slot, color, 0, self.colors[number] - 1)
         return keep.nonzero()[0]
 
+    def _check_index(self, index: ArrayLike) -> NDArray[np.int64]:
+        asked = as_integers("index", index)
+        if asked.size and (asked.min() < 0 or asked.max() >= len(self)):
+            raise TilewrightValueError(
+                f"holds {asked.min()} to {asked.max()}; the set has tiles 0 to {len(self) - 1}",
+                argument="index",
+            )
+        return asked.astype(np.int64)
 
-def _radices(shape: Shape, table: NDArray[Any]) -> tuple[int, ...]:
-    """Colors per slot: slots that meet across an axis share one palette."""
-    most = table.max(axis=0).astype(int) + 1
-    for _ in shape.slots:  # palettes spread along joints; this many rounds reach every slot
-        for joint in shape.joints:
-            for far, near in joint:
-                most[far] = most[near] = max(most[far], most[near])
-    return tuple(int(m) for m in most)
 
-
-def check_tiles(name: str, given: Any) -> "TileSet":
+def check_tiles(name: str, given: Any) -> TileSet:
     """``given`` if it is a tile set."""
     check_type(name, given, TileSet, "a TileSet, such as corner_tiles(2)")
     return given

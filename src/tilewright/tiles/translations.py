@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightValueError, TilewrightWarning
+from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.shape import CORNER, WANG
 from tilewright.tiles.tileset import TileSet, check_tiles
 
@@ -86,7 +87,7 @@ def as_corner_tiles(wang: TileSet, construction: str) -> TileSet:
         raise TilewrightValueError(
             f"no tiles of the {wang.name} set fit together; there is nothing to translate"
         )
-    return TileSet(CORNER, made, (int(colors),) * 4, f"{wang.name}, {construction}")
+    return ListedTileSet(CORNER, made, (int(colors),) * 4, f"{wang.name}, {construction}")
 
 
 def translation_is_sound(wang: TileSet, construction: str) -> bool:

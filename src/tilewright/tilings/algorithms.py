@@ -63,8 +63,7 @@ def marks(at: Lattice) -> Colors:
 
 def columns(at: Lattice) -> Colors:
     """`column_corner_tiles`: every column of lattice points is a chain."""
-    c = at.tiles.colors[0]
-    chains = Chains(at.hash, c, round(len(at.tiles) ** 0.5) // c)
+    chains = Chains(at.hash, at.tiles.colors[0], at.tiles.parameters["choices"])
     height = at.periods[1]
     if height is None:
         return open_walks(chains, at.span(1), (at.span(0),), slope=0)
@@ -75,8 +74,7 @@ def columns(at: Lattice) -> Colors:
 
 def diagonals(at: Lattice) -> Colors:
     """Compact corner sets and cubes: every diagonal from the corner NW (and U) on is a chain."""
-    c = at.tiles.colors[0]
-    chains = Chains(at.hash, c, len(at.tiles) // c ** (len(at.tiles.colors) - 1))
+    chains = Chains(at.hash, at.tiles.colors[0], at.tiles.parameters["choices"])
     endless = [a for a in at.axes if at.periods[a] is None]
     if endless:
         # Positions run along an endless axis: there the chains never close.
@@ -103,6 +101,11 @@ def corner_slots(c: Colors) -> Slots:
 
 def _face(c: Colors) -> Slots:
     return c[..., :-1, 1:], c[..., 1:, 1:], c[..., 1:, :-1], c[..., :-1, :-1]
+
+
+def free(at: Lattice) -> Slots:
+    """`free_tiles`: a hash at the cells."""
+    return (at.hash.grid(at.tiles.colors[0], COLORS, *(at.cells(a) for a in at.axes)),)
 
 
 # --- Edges and faces ----------------------------------------------------------------------------------
@@ -189,24 +192,72 @@ def _edge_slots(planes: list[Colors]) -> Slots:
     return (north, east, south, west, *(face for pair in upper_lower for face in pair))
 
 
-CORNER_ALGORITHMS: dict[str, Callable[[Lattice], Colors]] = {
-    "corners": corners,
-    "diagonals": diagonals,
-    "columns": columns,
-}
-EDGE_ALGORITHMS: dict[str, Callable[[Lattice], Slots]] = {
-    "ends": ends,
-    "edges": edges,
-    "crossings": crossings,
-    "two-hashes": two_hashes,
-    "sums": sums,
-    "bits": bits,
-}
+# --- Algorithms ---------------------------------------------------------------------------------------
 
 
-def evaluate(algorithm: str, at: Lattice) -> Slots:
-    """Colors of every slot of a window; the names of corner-coded sets' algorithms begin with ``marked-``."""
-    if algorithm in CORNER_ALGORITHMS:
-        return corner_slots(CORNER_ALGORITHMS[algorithm](at))
-    slots = EDGE_ALGORITHMS[algorithm.removeprefix("marked-")](at)
-    return slots + corner_slots(marks(at)) if algorithm.startswith("marked-") else slots
+@dataclass(frozen=True)
+class Algorithm:
+    """How a direct tiling finds the colors of every slot of a window.
+
+    Attributes
+    ----------
+    name : str
+    slots : callable
+        From a `Lattice` to one array like the window for each slot.
+    base : Algorithm or None
+        Of corner-coded sets, what finds the edges.
+    """
+
+    name: str
+    slots: Callable[[Lattice], Slots]
+    base: "Algorithm | None" = None
+
+    def __repr__(self) -> str:
+        return f"<Algorithm {self.name}>"
+
+
+def _of_corners(name: str, colors: Callable[[Lattice], Colors]) -> Algorithm:
+    return Algorithm(name, lambda at: corner_slots(colors(at)))
+
+
+def _marked(base: Algorithm) -> Algorithm:
+    """Edges by another algorithm, and marks at the corners."""
+    return Algorithm(f"marked-{base.name}", lambda at: base.slots(at) + corner_slots(marks(at)), base)
+
+
+CORNERS = _of_corners("corners", corners)
+EDGES = Algorithm("edges", edges)
+TWO_HASHES = Algorithm("two-hashes", two_hashes)
+_DIAGONALS = _of_corners("diagonals", diagonals)
+_BITS = Algorithm("bits", bits)
+_OF_FAMILY = {
+    "domino": Algorithm("ends", ends),
+    "corner": CORNERS,
+    "corner-cube": CORNERS,
+    "wang": EDGES,
+    "wang-cube": EDGES,
+    "compact-corner": _DIAGONALS,
+    "compact-corner-cube": _DIAGONALS,
+    "columns": _of_corners("columns", columns),
+    "summed": Algorithm("sums", sums),
+    "shifted": _BITS,
+    "compact-wang-cube": _BITS,
+    "crossed": Algorithm("crossings", crossings),
+    "free": Algorithm("free", free),
+}
+_MARKED = {family: _marked(algorithm) for family, algorithm in _OF_FAMILY.items()}
+
+
+def recognize(tiles: TileSet) -> Algorithm | None:
+    """The algorithm that goes with a set, by its family; None where there is none."""
+    parameters = tiles.parameters
+    algorithms, family = _OF_FAMILY, tiles.family
+    if family == "corner-coded":
+        algorithms, family = _MARKED, parameters["base"]
+    algorithm = algorithms.get(family)
+    needs_bits = algorithm is not None and (algorithm.base or algorithm) is _BITS
+    return None if needs_bits and not _is_power_of_two(parameters["colors"]) else algorithm
+
+
+def _is_power_of_two(number: int) -> bool:
+    return number & (number - 1) == 0

@@ -54,11 +54,6 @@ class Clauses:
         if len(block):
             self.blocks.append(block)
 
-    def add_implied(self, condition: Literals, literals: ArrayLike) -> None:
-        """Take in clauses that need to hold only where the literal of ``condition`` beside each does."""
-        block = np.atleast_2d(np.asarray(literals, np.int32))
-        self.add(np.concatenate([-np.broadcast_to(condition, block.shape[:-1])[..., None], block], axis=-1))
-
     def at_most_one(self, variables: Literals) -> None:
         """Of the variables along the last axis, one or none is true."""
         rows = variables.reshape(-1, variables.shape[-1])

@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import as_array, check_choice, check_real, shape_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.tiles import CORNER, CORNER_CODED, TileSet
+from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
-from tilewright.tilings.algorithms import Lattice, Slots, corner_slots, evaluate
-from tilewright.tilings.direct_tiling import SlotTiling, recognize
+from tilewright.tilings.algorithms import Algorithm, Lattice, Slots, corner_slots, recognize
+from tilewright.tilings.direct_tiling import SlotTiling
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import LatticeHash, as_grid
 from tilewright.tilings.streams import COLORS, DENSITY, SECOND
@@ -35,7 +35,7 @@ class DensityTiling(SlotTiling):
         ``f(x, y)`` of arrays of lattice points, the probability of a mark, 0 to 1.
     """
 
-    def __init__(self, tiles: TileSet, hash: LatticeHash, algorithm: str, density: Density) -> None:
+    def __init__(self, tiles: TileSet, hash: LatticeHash, algorithm: Algorithm, density: Density) -> None:
         super().__init__(tiles, Domain.plane(None))
         self.hash = hash
         self.algorithm = algorithm
@@ -51,9 +51,8 @@ class DensityTiling(SlotTiling):
         low = self.hash.grid(plain, COLORS, columns, rows)
         high = plain + self.hash.grid(colors - plain, SECOND, columns, rows)
         corners = corner_slots(np.where(marked, high, low).astype(np.uint8))
-        if self.tiles.shape is CORNER:
-            return corners
-        return evaluate(self.algorithm.removeprefix("marked-"), at) + corners
+        base = self.algorithm.base
+        return corners if base is None else base.slots(at) + corners
 
     def marks(self, columns: NDArray[np.int64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
         """Evaluate the density at the lattice points of a grid.
@@ -148,10 +147,8 @@ def density_tiling(
     array([[ 0,  0, 12, 15]], dtype=int32)
     """
     algorithm = recognize(check_tiles("tiles", tiles))
-    if not (
-        (tiles.shape is CORNER and algorithm == "corners" and tiles.colors[0] > 1)
-        or (tiles.shape is CORNER_CODED and algorithm is not None)
-    ):
+    has_corners = tiles.family == "corner" and tiles.colors[0] > 1
+    if algorithm is None or not (has_corners or algorithm.base):
         raise TilewrightValueError(
             "a density needs a complete corner set or a corner-coded set with all marks; "
             f"the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles is neither"
@@ -160,7 +157,7 @@ def density_tiling(
         check_choice("outside", outside, ("clamp", "repeat"))
         size = check_real("cells_per_pixel", cells_per_pixel, 1e-6, 1e9)
         density = _interpolate(_as_gray(density), size, outside)
-    return DensityTiling(tiles, make_hash(hash, seed), algorithm or "", density)
+    return DensityTiling(tiles, make_hash(hash, seed), algorithm, density)
 
 
 def _as_gray(given: ArrayLike) -> NDArray[np.float64]:

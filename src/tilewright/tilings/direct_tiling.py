@@ -9,25 +9,17 @@ from numpy.typing import NDArray
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
-from tilewright.tiles import (
-    CORNER,
-    CORNER_CODED,
-    CORNER_CUBE,
-    DOMINO,
-    WANG,
-    WANG_CUBE,
-    TileSet,
-    column_corner_tiles,
-    compact_corner_cubes,
-    compact_wang_cubes,
-    corner_tiles,
-    crossed_wang_tiles,
-    shifted_wang_tiles,
-    summed_wang_tiles,
+from tilewright.tiles import CORNER, WANG, TileSet
+from tilewright.tiles.tileset import check_tiles
+from tilewright.tilings.algorithms import (
+    CORNERS,
+    EDGES,
+    TWO_HASHES,
+    Algorithm,
+    Lattice,
+    Slots,
+    recognize,
 )
-from tilewright.tiles.cubes import RuledTileSet
-from tilewright.tiles.tileset import MOST_FAMILY_COLORS, check_tiles
-from tilewright.tilings.algorithms import Lattice, Slots, evaluate
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import LatticeHash, MixerHash, split_row
 from tilewright.tilings.table_hashes import make_hash
@@ -89,22 +81,22 @@ class DirectTiling(SlotTiling):
         Where chance comes from.
     domain : Domain
         The plane, a cylinder or a torus.
-    algorithm : str
-        The algorithm that goes with the tiles, such as ``"corners"``.
+    algorithm : Algorithm
+        The algorithm that goes with the tiles, found by their family.
 
     Notes
     -----
     Lagae 2007, section 3.3; Lagae & Dutré 2006, section 4.2.
     """
 
-    def __init__(self, tiles: TileSet, hash: LatticeHash, domain: Domain, algorithm: str) -> None:
+    def __init__(self, tiles: TileSet, hash: LatticeHash, domain: Domain, algorithm: Algorithm) -> None:
         super().__init__(tiles, domain)
         self.hash = hash
         self.algorithm = algorithm
 
     def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
         """Give the colors of every slot of a window of tiles, one array like the window for each slot."""
-        return evaluate(self.algorithm, self._lattice(start, extent))
+        return self.algorithm.slots(self._lattice(start, extent))
 
     def _lattice(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Lattice:
         return Lattice(self.tiles, self.hash, self.domain.periods, start, extent)
@@ -113,9 +105,9 @@ class DirectTiling(SlotTiling):
         bytes_do = max(self.tiles.colors) <= 256  # for a color, as kernels keep it
         if isinstance(self.hash, MixerHash) and self.tiles.shape in (CORNER, WANG) and bytes_do:
             at = self._lattice(start, tuple(reversed(out.shape)))
-            if self.algorithm == "corners":
+            if self.algorithm is CORNERS:
                 return _fill_corners(self.hash, at, out)
-            if self.algorithm == "edges":
+            if self.algorithm is EDGES:
                 return _fill_edges(self.hash, at, out)
         return super()._fill(start, out)
 
@@ -149,7 +141,8 @@ def direct(
     Parameters
     ----------
     tiles : TileSet
-        Complete sets: corner tiles, Wang tiles, dominoes, corner cubes, Wang cubes, corner-coded sets.
+        Complete sets: corner tiles, Wang tiles, dominoes, corner cubes, Wang cubes, corner-coded sets,
+        `free_tiles`.
         Compact sets: `corner_tiles` with ``choices``, `column_corner_tiles`, `summed_wang_tiles`,
         `shifted_wang_tiles`, `compact_corner_cubes`, `compact_wang_cubes` where C is a power of two,
         corner-coded sets over any of these Wang sets, Cohen's 8 tiles among them, and `crossed_wang_tiles`.
@@ -205,67 +198,15 @@ def direct(
             advice="scanline() tiles a rectangle with it, array_tiling() takes a tiling of your own",
         )
     if wang == "two-hashes":
-        if algorithm != "edges" or tiles.shape is not WANG:
+        if tiles.family != "wang":
             raise TilewrightValueError(
                 f"is 'two-hashes', which is for complete Wang sets, not for the {tiles.name} set of "
                 f"{len(tiles)} {tiles.shape.name} tiles",
                 argument="wang",
             )
-        algorithm = "two-hashes"
+        algorithm = TWO_HASHES
     d = tiles.shape.dimension
     tiling = DirectTiling(tiles, make_hash(hash, seed), Domain.plane(period, d), algorithm)
     if period is not None:
         tiling.slots((0,) * d, (1,) * d)  # refuses periods that close chains too soon or too late
     return tiling
-
-
-def recognize(tiles: TileSet) -> str | None:
-    """Name of the algorithm that goes with a set, told by its slots; None where there is none."""
-    if tiles.shape is CORNER_CODED:
-        return _recognize_coded(tiles)
-    if tiles.is_complete:
-        return {DOMINO: "ends", CORNER: "corners", CORNER_CUBE: "corners"}.get(tiles.shape, "edges")
-    c = tiles.colors[0]
-    if len(set(tiles.colors)) > 1 or not 2 <= c <= MOST_FAMILY_COLORS:
-        return None
-    if tiles.shape is CORNER:
-        return _recognize_corners(tiles, c)
-    power_of_two = c & (c - 1) == 0
-    if tiles.shape is WANG and _same(tiles, summed_wang_tiles(c)):
-        return "sums"
-    if tiles.shape is WANG and power_of_two and _same(tiles, shifted_wang_tiles(c)):
-        return "bits"
-    if tiles.shape is WANG_CUBE and power_of_two and _same(tiles, compact_wang_cubes(c)):
-        return "bits"
-    if tiles.shape is CORNER_CUBE and _same(tiles, compact_corner_cubes(c)):
-        return "diagonals"
-    return None
-
-
-def _recognize_corners(tiles: TileSet, c: int) -> str | None:
-    choices, root = len(tiles) // c**3, round(len(tiles) ** 0.5)
-    if 2 <= choices < c and _same(tiles, corner_tiles(c, choices)):
-        return "diagonals"
-    if root % c == 0 and 2 <= root // c < c and _same(tiles, column_corner_tiles(c, root // c)):
-        return "columns"
-    return None
-
-
-def _recognize_coded(tiles: TileSet) -> str | None:
-    """`crossed_wang_tiles`, and Wang sets with a direct algorithm in all combinations of marks."""
-    if tiles.colors[0] <= 2 and _same(tiles, crossed_wang_tiles(tiles.colors[0])):
-        return "crossings"
-    base = TileSet(WANG, np.unique(tiles.slots[:, :4], axis=0), tiles.colors[:4])
-    marks = set(tiles.colors[4:])
-    if len(marks) > 1 or len(tiles) != len(base) * marks.pop() ** 4:
-        return None
-    algorithm = recognize(base)
-    return f"marked-{algorithm}" if algorithm else None
-
-
-def _same(a: TileSet, b: TileSet) -> bool:
-    if len(a) != len(b) or a.colors != b.colors:
-        return False
-    if isinstance(a, RuledTileSet) and isinstance(b, RuledTileSet):
-        return a.name == b.name
-    return np.array_equal(np.sort(a.codes), np.sort(b.codes))

@@ -1,5 +1,7 @@
 """Tile a rectangle or a torus with any set that can, by a SAT solver; or prove that it cannot."""
 
+from itertools import product
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -160,10 +162,18 @@ def _places(shape: Shape, extent: tuple[int, int], *, torus: bool) -> Integers:
     label = np.arange(extent[0] * extent[1] * len(shape.slots)).reshape(*extent, len(shape.slots))
     while True:
         before = label.copy()
-        for axis, joint in enumerate(shape.joints):
-            along = np.moveaxis(label, 1 - axis, 0)
-            for far, near in joint:
-                for a, b in [(along[:-1], along[1:])] + ([(along[-1:], along[:1])] if torus else []):
-                    a[..., far] = b[..., near] = np.minimum(a[..., far], b[..., near])
+        for (across, down), joint in zip(shape.steps, shape.joints, strict=True):
+            rows, columns = _meeting(down, extent[0], torus=torus), _meeting(across, extent[1], torus=torus)
+            for (y, to_y), (x, to_x), (far, near) in product(rows, columns, joint):
+                a, b = label[y, x], label[to_y, to_x]
+                a[..., far] = b[..., near] = np.minimum(a[..., far], b[..., near])
         if np.array_equal(label, before):
             return np.unique(label, return_inverse=True)[1].reshape(label.shape)
+
+
+def _meeting(way: int, size: int, *, torus: bool) -> list[tuple[slice, slice]]:
+    """Ranges of cells along an axis, and those that lie ``way`` cells on."""
+    if not torus:
+        return [(slice(max(0, -way), size - max(0, way)), slice(max(0, way), size - max(0, -way)))]
+    way %= size
+    return [(slice(0, size - way), slice(way, size)), (slice(size - way, size), slice(0, way))]

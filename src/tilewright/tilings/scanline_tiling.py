@@ -139,7 +139,7 @@ class _Rows:
         asked = {
             tiles.shape.slots[near]: int(tiles.slots[tile, far])
             for axis, tile in neighbors.items()
-            for far, near in tiles.shape.joints[axis]
+            for far, near in tiles.shape.across(axis)
         }
         at = ", ".join(f"{name}={n}" for name, n in zip("xyz", cell[: tiles.shape.dimension], strict=False))
         colors = ", ".join(f"{slot}={color}" for slot, color in asked.items())
@@ -148,7 +148,7 @@ class _Rows:
 
 def _number_sides(tiles: TileSet, axis: int) -> tuple[Integers, Integers]:
     """Numbers for the colors that tiles offer at the near side of an axis, and for those they ask for."""
-    far, near = np.array(tiles.shape.joints[axis]).T
+    far, near = np.array(tiles.shape.across(axis), int).reshape(-1, 2).T
     sides = np.concatenate([tiles.slots[:, near], tiles.slots[:, far]])
     numbers = np.unique(sides, axis=0, return_inverse=True)[1].ravel()
     offered, ours = np.unique(numbers[: len(tiles)], return_inverse=True)

@@ -2,7 +2,8 @@
 
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
-from tilewright.tilings.direct_tiling import direct, recognize
+from tilewright.tilings.algorithms import recognize
+from tilewright.tilings.direct_tiling import direct
 from tilewright.tilings.scanline_tiling import scanline
 from tilewright.tilings.tiling import Tiling
 

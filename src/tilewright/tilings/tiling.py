@@ -165,22 +165,33 @@ def first_mismatch(tiles: TileSet, cells: NDArray[Any], *, torus: bool) -> str |
     """
     slots = tiles.slots_of(cells)
     faults = []
-    for axis, joint in enumerate(tiles.shape.joints):
-        array_axis = cells.ndim - 1 - axis
+    for number, joint in enumerate(tiles.shape.joints):
+        step = tiles.shape.steps[number][::-1]
         for far, near in joint:
-            ours, theirs = slots[..., far], np.roll(slots[..., near], -1, array_axis)
+            ours = slots[..., far]
+            theirs = np.roll(slots[..., near], [-way for way in step], range(cells.ndim))
             wrong = ours != theirs
             if not torus:
-                wrong[(slice(None),) * array_axis + (-1,)] = False
+                _leave_out_borders(wrong, step)
             if wrong.any():
                 at = np.unravel_index(int(np.argmax(wrong)), wrong.shape)
                 names = f"{tiles.shape.slots[far]} is {ours[at]}, {tiles.shape.slots[near]} is {theirs[at]}"
-                faults.append((at, axis, names))
+                faults.append((at, number, names))
     if not faults:
         return None
-    at, axis, names = min(faults)
+    at, number, names = min(faults)
     cell = ", ".join(f"{'xyz'[n]}={c}" for n, c in enumerate(reversed(at)))
-    return f"the tiles at cell {cell} and its neighbor along {'xyz'[axis]} do not match: {names}"
+    step = tiles.shape.steps[number]
+    to = f"along {'xyz'[step.index(1)]}" if np.abs(step).sum() == sum(step) == 1 else f"{step} away"
+    return f"the tiles at cell {cell} and its neighbor {to} do not match: {names}"
+
+
+def _leave_out_borders(wrong: NDArray[np.bool_], step: tuple[int, ...]) -> None:
+    """No fault where a step, in the array's order of axes, leads out of the array."""
+    for axis, way in enumerate(step):
+        if way:
+            beyond = slice(-way, None) if way > 0 else slice(0, -way)
+            wrong[(slice(None),) * axis + (beyond,)] = False
 
 
 def array_tiling(tiles: TileSet, indices: ArrayLike, *, torus: bool = False) -> ArrayTiling:

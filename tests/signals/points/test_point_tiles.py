@@ -9,7 +9,7 @@ from tilewright.errors import TilewrightValueError
 from tilewright.signals.points.anatomy import OFFSETS, anatomy_of
 from tilewright.signals.points.plan import Parts, Plan, fill_interiors
 from tilewright.signals.points.spikes import mean_spectrum
-from tilewright.tiles import WANG, TileSet
+from tilewright.tiles import WANG, ListedTileSet
 
 R_MAX_OF_ONE = (2 * 3**0.5) ** -0.5
 
@@ -145,7 +145,7 @@ def test_closeness_is_what_laying_every_block_finds(shape):
 def test_closeness_knows_which_tiles_cannot_meet():
     """Two tiles that never share a corner may come as close as they like across it."""
     slots = [[0, 0, 0, 0], [1, 1, 1, 1]]
-    tiles = TileSet(WANG, slots)
+    tiles = ListedTileSet(WANG, slots)
     close = 1e-3
     rows = [np.array([[1 - close, 1 - close]]), np.array([[close, close]])]
     found = tw.find_closeness(tw.PointTiles.of(tiles, rows))

@@ -11,7 +11,7 @@ from tilewright.errors import (
     TilewrightWarning,
 )
 from tilewright.signals.textures import Exemplar, resynthesize, synthesize
-from tilewright.tiles import TileSet, corner_tiles, wang_tiles
+from tilewright.tiles import ListedTileSet, corner_tiles, wang_tiles
 
 CORNER_METHODS = ("nested", "ng", "squares")
 EDGE_METHODS = ("centered-diamonds", "diamonds", "burke")
@@ -57,7 +57,9 @@ def test_every_method_makes_tiles_that_meet(gravel, tiles, method):
 
 def test_wrong_neighbors_are_told_apart_by_that_measure(gravel):
     material = synthesize(small(gravel), corner_tiles(2), tile_size=48, seed=1)
-    shuffled = TileSet(material.tiles.shape, material.tiles.slots[np.random.default_rng(0).permutation(16)])
+    shuffled = ListedTileSet(
+        material.tiles.shape, material.tiles.slots[np.random.default_rng(0).permutation(16)]
+    )
     object.__setattr__(material, "tiles", shuffled)
     assert border_misses(material) > 0.3
 

@@ -10,7 +10,8 @@ from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
 from tilewright.signals.points import PointTiles, Spikes, find_closeness, find_spikes
 from tilewright.tilings import stochastic
-from tilewright.tilings.direct_tiling import direct, recognize
+from tilewright.tilings.algorithms import recognize
+from tilewright.tilings.direct_tiling import direct
 
 SPECTRUM_POINTS = 16384
 PLATE_POINTS = 262144

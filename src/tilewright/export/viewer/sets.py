@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.tiles import TileSet
 from tilewright.tilings import stochastic
-from tilewright.tilings.direct_tiling import recognize
+from tilewright.tilings.algorithms import recognize
 
 BAKED_CELLS = 256
 """Side of the patch of cells shown where the page cannot evaluate the tiling itself."""
@@ -38,7 +38,8 @@ def describe_tiling(tiles: TileSet, seed: int) -> dict[str, Any]:
 
     The algorithms are those of `tilewright.direct`; ``"baked"`` is a stored patch of cells.
     """
-    algorithm = recognize(tiles)
+    known = recognize(tiles)
+    algorithm = known.name if known else ""
     if algorithm not in _IN_SHADER:
         side = BAKED_CELLS
         cells = stochastic(tiles, side, side, seed).indices(0, 0, side, side)

@@ -50,7 +50,7 @@ class Neighbors:
 def _joined(tiles: TileSet, axis: int) -> NDArray[np.bool_]:
     """Whether tile u can be the next of tile t along an axis."""
     fits = np.ones((len(tiles), len(tiles)), bool)
-    for far, near in tiles.shape.joints[axis]:
+    for far, near in tiles.shape.across(axis):
         fits &= tiles.slots[:, far, None] == tiles.slots[None, :, near]
     return fits
 

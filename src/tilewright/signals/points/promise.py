@@ -127,7 +127,7 @@ class _Meeting:
     @classmethod
     def of(cls, tiles: TileSet) -> "_Meeting":
         sides = []
-        for joint in tiles.shape.joints:
+        for joint in (tiles.shape.across(axis) for axis in (0, 1)):
             far, near = (tiles.slots[:, [pair[end] for pair in joint]] for end in (0, 1))
             _, keys = np.unique(np.concatenate([far, near]), axis=0, return_inverse=True)
             sides += [keys.reshape(2, -1)[0], keys.reshape(2, -1)[1]]

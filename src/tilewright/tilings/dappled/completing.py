@@ -15,8 +15,6 @@ from tilewright.tilings.dappled.conditions import (
     Conditions,
     Most,
     as_cells,
-    explain_violation,
-    find_violations,
 )
 from tilewright.tilings.dappled.rules import write_formula
 
@@ -223,16 +221,3 @@ def dapple_formula(
             raise shape_error("partial", pins.shape, shape)
         made.clauses.add(made.variables[(pins >= 0).ravel(), pins[pins >= 0]][:, None])
     return made.clauses
-
-
-def check_dappled(
-    tiling: ArrayLike,
-    limits: Mapping[str, Most] | Conditions,
-    *,
-    cyclic: bool = False,
-    tiles: int | None = None,
-) -> None:
-    """Raise TilewrightValueError, naming the first run that is too long, unless a tiling is dappled."""
-    fault = explain_violation(find_violations(tiling, limits, cyclic=cyclic, tiles=tiles))
-    if fault:
-        raise TilewrightValueError(fault)

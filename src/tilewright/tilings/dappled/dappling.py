@@ -49,7 +49,8 @@ def dapple(
     Returns
     -------
     uint8 array, shape (height, width)
-        The dappled tiling.
+        The dappled tiling; ``array_tiling(free_tiles(n), cells, torus=cyclic)`` makes a `Tiling` of it, for
+        signals of n tiles.
 
     Raises
     ------

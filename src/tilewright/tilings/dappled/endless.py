@@ -8,10 +8,12 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.checks import check_real
 from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
+from tilewright.tiles import free_tiles
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Most, as_cells
 from tilewright.tilings.dappled.surgery import is_remark
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.streams import DAPPLE_ENDLESS
+from tilewright.tilings.tiling import Tiling
 
 SIDE = 256
 """Cells along the side of the blocks that are rectified by themselves."""
@@ -19,8 +21,10 @@ SIDE = 256
 Start = float | Callable[[NDArray[np.int64], NDArray[np.int64]], ArrayLike]
 
 
-class EndlessDappledTiling:
+class EndlessDappledTiling(Tiling):
     """A dappled tiling of the plane with two tiles; made by `endless_dappled_tiling`.
+
+    Its tiles are `free_tiles`, so that every signal made for two of those lies on it.
 
     Parameters
     ----------
@@ -46,6 +50,7 @@ class EndlessDappledTiling:
     """
 
     def __init__(self, conditions: Conditions, start: Start, seed: int) -> None:
+        self.tiles = free_tiles(2)
         self.conditions = conditions
         self.start = start
         self.seed = np.uint64(seed).astype(np.int64)
@@ -54,7 +59,7 @@ class EndlessDappledTiling:
         self._across = int(np.argmin(self._most[0][:, 0, 0]))
 
     def cells(self, x: int, y: int, width: int, height: int) -> Cells:
-        """Give the tiles of a window, equal to the same cells of any other window.
+        """Give the tiles of a window as bytes, a quarter of what `indices` takes; otherwise the same.
 
         Parameters
         ----------
@@ -80,6 +85,14 @@ class EndlessDappledTiling:
             The window is too large or too far out, or ``start`` gives something but 0 and 1.
         """
         self.domain.check_window((x, y), (width, height))
+        return self._cells(x, y, width, height)
+
+    def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:
+        height, width = out.shape
+        x, y = start
+        out[...] = self._cells(x, y, width, height)
+
+    def _cells(self, x: int, y: int, width: int, height: int) -> Cells:
         from tilewright.kernels.dappling import fill_blocks
 
         out = np.empty((height, width), np.uint8)
