@@ -54,7 +54,9 @@ def find_faults(thing: Any) -> Iterator[str]:
 
 
 def overrides(thing: Any) -> bool:
-    """Whether a method is documented at a class that its own class is derived from."""
+    """Whether a method, or how an error is made, is documented at a class that its own is derived from."""
+    if inspect.isclass(thing):
+        return issubclass(thing, Exception) and "__init__" not in vars(thing)
     owner = vars(sys.modules[thing.__module__]).get(thing.__qualname__.rpartition(".")[0])
     return inspect.isclass(owner) and any(hasattr(base, thing.__name__) for base in owner.__bases__)
 

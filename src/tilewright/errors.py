@@ -44,7 +44,18 @@ class TilewrightError(Exception):
         super().__init__(self.told())
 
     def told(self, name_of: Callable[[str], str] = str) -> str:
-        """The message, with the argument as ``name_of`` gives it; by default as the library calls it."""
+        """Tell what is wrong, with the argument as a face of the library calls it.
+
+        Parameters
+        ----------
+        name_of : callable, optional
+            From the argument's name in the library to its name there; by default it stays.
+
+        Returns
+        -------
+        str
+            One line.
+        """
         name = name_of(self.argument) if self.argument else ""
         hint = f"; {self.advice}" if self.advice else ""
         return " ".join(filter(None, (name, self.problem))) + hint

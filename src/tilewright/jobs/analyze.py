@@ -19,11 +19,16 @@ class AnalyzeJob(Job):
     output : Path, optional
         A sheet of pictures: ``.png``, ``.jpg``, ``.svg`` or ``.pdf``.
     width, height : float, optional
-        The box that the points of a file lie in.
-    torus : bool
-        Whether opposite sides of the box meet.
-    seed : int
-        Of the tilings that are measured.
+        Sides of the box that the points of a file lie in; default as the file says.
+    torus : bool, optional
+        Whether opposite sides of the box meet; default False.
+    seed : int, optional
+        Seed of the tilings that are measured; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     source: Path

@@ -23,21 +23,30 @@ class AperiodicJob(Job):
     Attributes
     ----------
     name : str, optional
-        Of a set; a ``.csv`` or ``.npy`` file of one's own; None lists the sets.
+        Name of a set, or a ``.csv`` or ``.npy`` file of your own; by default the sets are listed.
     output : Path, optional
-        ``.svg``, ``.png`` or ``.npy`` (tile indices, or colors of the tiles); named after the set by default.
-    width, height, x, y : int
-        The window in cells.
-    set : bool
-        The tiles themselves instead of a tiling.
+        ``.svg``, ``.png`` or ``.npy`` (tile indices, or with ``set`` the colors of the tiles); default named
+        after the set.
+    width, height : int, optional
+        Size of the window in cells; default 40 x 30.
+    x, y : int, optional
+        Its first cell; default (0, 0).
+    set : bool, optional
+        Draw the tiles themselves instead of a tiling; default False.
     to : str, optional
         Make a corner set by ``"diagonal"``, ``"horizontal"``, ``"vertical"``, ``"rotation"`` or
-        ``"subdivision"``; or ``"wang"``.
-    period : (int, int), optional
-        Look for the smallest torus up to this number of cells along each axis.
-    shape : str
-        Of one's own set: ``"wang"``, ``"corner"`` or ``"corner-coded"``.
-    seed : int
+        ``"subdivision"``; or a Wang set by ``"wang"``.
+    period : tuple of (int, int), optional
+        Look for the smallest torus up to this number of cells along x and y.
+    shape : str, optional
+        Of a set of your own: ``"wang"`` (default), ``"corner"`` or ``"corner-coded"``.
+    seed : int, optional
+        Which of the tilings; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     name: str | None = None

@@ -32,26 +32,46 @@ class BricksJob(Job):
 
     Attributes
     ----------
-    output : Path
+    output : Path, optional
         ``.png``, ``.tif``: a picture of ``map``; ``.svg``: bricks, or joints with ``lines``; ``.npy``: tiles;
-        without a suffix: a folder of all maps.
+        without a suffix: a folder of all maps. Default ``wall.png``.
     width, height : int, optional
-        Cells; 12 x 20, or the size of the region, by default.
-    x, y : int
-        First cell, of walls that go on.
-    pattern : str
-        ``"wang"``, ``"running-bond"``, ``"flemish-bond"``, ``"herringbone"`` or ``"basket-weave"``.
-    positions, longest
-        Where joints may meet an edge; the most cells a joint runs along x and along y.
+        Size in cells; default 12 x 20, or that of the region.
+    x, y : int, optional
+        First cell, of walls that go on; default (0, 0).
+    pattern : str, optional
+        ``"wang"`` (default), ``"running-bond"``, ``"flemish-bond"``, ``"herringbone"`` or ``"basket-weave"``.
+    positions : int, optional
+        Number of places where joints may meet an edge, 2 to 16; default 3.
+    longest : tuple of (int, int), optional
+        The most cells that a joint runs along x and along y; default (3, 3).
     input : Path, optional
-        A picture to follow.
-    cyclic : bool
-        The wall closes, so that it can be repeated.
-    mask, boundary : Path, optional
-        A region, as a picture; positions asked for, as a ``.npz`` file.
-    size, colors, mortar, bevel, map, lines
-        The look; see `BrickField` and `BrickStyle`.
-    seed : int
+        A picture to follow: joints run along x where it is dark.
+    cyclic : bool, optional
+        Whether the wall closes, so that it can be repeated; default False.
+    mask : Path, optional
+        A picture of a region, light inside.
+    boundary : Path, optional
+        A ``.npz`` file of positions asked for at the sides: ``horizontal``, ``vertical``.
+    size : tuple of (int, int), optional
+        Width and height of a cell in pixels; default (144, 48).
+    colors : str, optional
+        Colors of `BrickStyle`; default ``"red"``.
+    mortar : int, optional
+        Pixels between bricks; default by the size.
+    bevel : float, optional
+        Pixels of the rounded edge of a brick; default by the size.
+    map : str, optional
+        What a picture shows: ``"preview"`` (default) or a map of `BrickField`.
+    lines : bool, optional
+        Whether an SVG shows the joints as lines; default False.
+    seed : int, optional
+        Seed of the wall and of how bricks look; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     output: Path = Path("wall.png")

@@ -18,14 +18,20 @@ class CompareJob(Job):
     output : Path, optional
         A folder for the table, the figures and the pictures.
     methods : sequence of str, optional
-        Names, as the list has them.
-    full : bool
-        All methods, however long they take.
-    list : bool
-        Only name the methods.
-    sets : int
-        Sets of each method, K.
-    seed : int
+        Names, as ``list`` gives them; default those of moderate cost.
+    full : bool, optional
+        All methods, however long they take; default False.
+    list : bool, optional
+        Only name the methods; default False.
+    sets : int, optional
+        Sets of each method, K; default 10.
+    seed : int, optional
+        Where chance begins; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     output: Path | None = None

@@ -32,27 +32,46 @@ class DappleJob(Job):
     Attributes
     ----------
     output : Path, optional
-        ``.png``, ``.svg``, ``.npy`` (tiles) or ``.cnf`` (clauses); ``dapple.png`` by default.
+        ``.png``, ``.svg``, ``.npy`` (tiles) or ``.cnf`` (clauses); default ``dapple.png``.
     width, height : int, optional
-        Cells; 64 x 40, or the proportions of ``input``, by default.
+        Size in cells; default 64 x 40, or the proportions of ``input``.
     limit : dict of str to number, optional
-        As `Conditions` takes them; ``{"H0": 2, "V1": 2}`` by default.
+        Longest runs, as `Conditions` takes them; default ``{"H0": 2, "V1": 2}``.
     tiles : int, optional
-        Number of tiles; as many as are named by default.
+        Number of tiles; default as many as are named.
     share : sequence of float, optional
-        How much of each tile the random start holds.
+        How much of each tile the random start holds; default equally much.
     input : Path, optional
-        A picture to follow, with ``dither`` also in its grays.
-    cyclic, closest, endless, count : bool
-        Rows and columns are rings; the fewest changes, proven; a window from cell (``x``, ``y``) on of an
-        endless tiling; only the number of tilings.
+        A picture to follow: tile 0 where it is dark.
+    dither : bool, optional
+        Whether its grays are mixtures, as far as limits allow; default False.
+    cyclic : bool, optional
+        Whether rows and columns are rings; default False.
+    closest : bool, optional
+        Change as few cells as can be, with a proof; default False.
+    endless : bool, optional
+        Make a window of an endless tiling; default False.
+    x, y : int, optional
+        The first cell of that window; default (0, 0).
     pins : Path, optional
-        ``.npy`` or ``.csv`` of tiles to keep, -1 where any may be.
+        A ``.npy`` or ``.csv`` file of tiles to keep, -1 where any may be.
+    count : bool, optional
+        Only count the tilings; default False.
     seconds : float, optional
-        When the searches of ``closest`` and ``pins`` stop.
-    cell, colors, motif
-        As `draw_cells` takes them: pixels along a cell, colors of the tiles, what each tile shows.
-    seed : int
+        When the searches of ``closest`` and ``pins`` stop; default never.
+    cell : int, optional
+        Pixels along a cell; default by the size.
+    colors : sequence of str, optional
+        Colors of the tiles, as ``#rrggbb``; of lines and ground for other motifs than ``"fill"``.
+    motif : str, optional
+        What each tile shows: ``"fill"`` (default), ``"strokes"`` or ``"arcs"``.
+    seed : int, optional
+        Where chance begins; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     output: Path | None = None

@@ -17,14 +17,21 @@ class ExportJob(Job):
 
     Attributes
     ----------
-    folder, output : Path
-        A tile-set folder of textures; the folder to write, or a picture of one map.
-    to : str
-        A target of `save_for_engine`; ``"atlas"`` or ``"array"`` for a picture.
+    folder : Path
+        A tile-set folder of textures.
+    output : Path
+        The folder to write, or a picture of one map.
+    to : str, optional
+        A target of `save_for_engine`; ``"atlas"`` (default) or ``"array"`` for a picture.
     map : str, optional
-        Which map a picture shows; the main one by default.
-    lattice_seed : int
-        Seed of the tiling, built into shaders.
+        Which map a picture shows; default the main one.
+    lattice_seed : int, optional
+        Seed of the tiling, built into shaders; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     folder: Path

@@ -27,26 +27,55 @@ class FlowJob(Job):
 
     Attributes
     ----------
-    output : Path
-        ``.gif``, ``.webp``: an animation; ``.png``: a ``map``, ``"density"`` (default) or ``"trails"``;
-        ``.npz``: positions.
-    width, height : int
-        Cells.
+    output : Path, optional
+        ``.gif``, ``.webp``: an animation; ``.png``: a ``map``; ``.npz``: all arrays. Default ``flow.gif``.
+    width, height : int, optional
+        Size in cells; default 40 x 25.
     limit : dict of str to number, optional
-        Longest runs of - (tile 0) and | (tile 1); 3 for all by default.
-    input, dither
-        A picture to follow, and whether its grays are mixtures.
-    cyclic, leave, onward : bool
-        Opposite borders meet; particles go at borders; particles never turn back (as in the paper).
-    particles, steps, speed
-        At the start; of time; cells in a step.
-    emit, births, kill, slow, fast
-        Shares of cells that give birth, births in each of them in a step (default 0.02), shares of cells that
-        kill, slow down (0.4) and speed up (2.5).
-    every, size, color, trail, fps
-        Steps from frame to frame, pixels along a cell, ``"direction"`` or ``"particle"``, frames in which a
-        trail loses half its light, frames per second.
-    seed : int
+        Longest runs of - (tile 0) and | (tile 1); default 3 for all.
+    input : Path, optional
+        A picture to follow: - where it is dark.
+    dither : bool, optional
+        Whether its grays are mixtures, as far as limits allow; default False.
+    cyclic : bool, optional
+        Whether opposite borders meet; default False: particles turn back there.
+    leave : bool, optional
+        Let particles go at borders; default False.
+    onward : bool, optional
+        Never go back where one came from, as in the paper; default False.
+    particles : int, optional
+        Particles at the start; default 250.
+    steps : int, optional
+        Steps of time; default 200.
+    speed : float, optional
+        Cells for each step; default 0.125.
+    emit : float, optional
+        Share of cells that give birth, 0 to 1; default 0.
+    births : float, optional
+        Births in each of them for each step; default 0.02.
+    kill : float, optional
+        Share of cells in whose center particles die, 0 to 1; default 0.
+    slow, fast : float, optional
+        Shares of cells with 0.4 and with 2.5 times the speed, 0 to 1; default 0.
+    every : int, optional
+        Steps from frame to frame; default 1.
+    map : str, optional
+        What a picture shows: ``"density"`` (default) or ``"trails"``.
+    size : int, optional
+        Pixels along a cell; default by the size of the tiling.
+    color : str, optional
+        What the color of a particle tells: ``"direction"`` (default) or ``"particle"``.
+    trail : float, optional
+        Frames in which a trail loses half its light; default 8.
+    fps : int, optional
+        Frames per second; default 25.
+    seed : int, optional
+        Where chance begins; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     output: Path = Path("flow.gif")

@@ -81,6 +81,11 @@ class Job(ABC):
     """A whole job: a frozen dataclass of options, checked when it is made, and `run`.
 
     Options that were not given are None, False or the default that is written at them.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     RULES: ClassVar[tuple[Rule[Any], ...]] = ()
@@ -91,10 +96,32 @@ class Job(ABC):
                 raise Clash(rule.text)
 
     def given(self, *names: str) -> bool:
-        """Whether any of these options differs from its default."""
+        """Tell whether any of these options differs from its default.
+
+        Parameters
+        ----------
+        *names : str
+            Names of options.
+
+        Returns
+        -------
+        bool
+            Whether one of them was given.
+        """
         defaults = {field.name: field.default for field in fields(self)}  # type: ignore[arg-type]
         return any(getattr(self, name) != defaults[name] for name in names)
 
     @abstractmethod
     def run(self, progress: Progress | None = None) -> Done:
-        """Do the work; raise `Cancelled` in ``progress(done, total, what)`` to stop it."""
+        """Do the work.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            ``progress(done, total, what)`` is called as the work goes on; raise `Cancelled` in it to stop.
+
+        Returns
+        -------
+        Done
+            Files, figures and a sentence.
+        """

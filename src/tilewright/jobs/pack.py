@@ -30,19 +30,29 @@ class PackJob(Job):
     Attributes
     ----------
     output : Path, optional
-        ``.png``, ``.svg`` (a puzzle for a laser cutter) or ``.npy`` (tile indices, shape (C^2, C^2)); named
-        after the set by default.
-    tiles : str
-        ``"corner"`` or ``"wang"``.
-    colors : int
-        1 to 16.
-    method : str
-        ``"closed"``, ``"search"`` (up to 3 colors; ``seed`` matters) or ``"recursive"``.
-    count : bool
-        Count all packings, which is possible over 2 colors.
-    piece_mm, picture, engrave
-        Of a puzzle: size of a piece in mm, a picture to print, and ``"none"``, ``"colors"`` or ``"numbers"``.
-    seed : int
+        ``.png``, ``.svg`` (a puzzle for a laser cutter) or ``.npy`` (tile indices, shape (C^2, C^2)); default
+        named after the set.
+    tiles : str, optional
+        ``"corner"`` (default) or ``"wang"``.
+    colors : int, optional
+        Number of colors C, 1 to 16; default 2.
+    method : str, optional
+        ``"closed"`` (default), ``"search"`` (up to 3 colors; ``seed`` matters) or ``"recursive"``.
+    count : bool, optional
+        Count all packings, which is possible over 2 colors; default False.
+    piece_mm : float, optional
+        Size of a piece of a puzzle in mm; default 30.
+    picture : Path, optional
+        A PNG or JPEG to print on the pieces.
+    engrave : str, optional
+        What is cut into the pieces: ``"none"`` (default), ``"colors"`` or ``"numbers"``.
+    seed : int, optional
+        Which packing the search finds; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     output: Path | None = None

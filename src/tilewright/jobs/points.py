@@ -23,22 +23,35 @@ class PointsJob(Job):
     ----------
     output : Path
         ``.npy``, ``.csv``, ``.parquet`` or ``.ply``.
-    method : str
-        A kind of point tiles, or a sampler.
+    method : str, optional
+        A kind of point tiles, default ``"corner"``, or a sampler.
     tiles : Path, optional
         A tile-set folder of points, instead of ``method``.
     save : Path, optional
-        Where to keep the point tiles.
-    colors, points, rho
-        Of the tiles: colors of corner tiles, points in each, relative radius.
+        A folder in which the point tiles are kept.
+    colors : int, optional
+        Colors of corner tiles, 2 to 8; default 4.
+    points : int, optional
+        Points in each tile; default 32.
+    rho : float, optional
+        Relative radius; default 0.75.
     count : int, optional
         Exactly this number of points.
-    width, height, x, y : float
-        The window in tiles; with a sampler, the box.
-    torus : bool
-        Opposite sides of the window meet.
-    lattice_seed, seed : int
-        Of the tiling; of the tiles, or the sampler.
+    width, height : float, optional
+        Size of the window in tiles; of a sampler, of the box.
+    x, y : float, optional
+        West and north side of the window in tiles; default (0, 0).
+    torus : bool, optional
+        Whether opposite sides of the window meet; default False.
+    lattice_seed : int, optional
+        Seed of the tiling; default 0.
+    seed : int, optional
+        Seed of the tiles, or of the sampler; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     output: Path

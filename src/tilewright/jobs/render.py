@@ -19,16 +19,27 @@ class RenderJob(Job):
 
     Attributes
     ----------
-    folder, output : Path
-        A tile-set folder of textures; the picture: ``.png``, ``.tif`` or ``.exr``.
-    x, y, width, height : int
-        The window in pixels; the plane is endless where the set has a direct tiling.
+    folder : Path
+        A tile-set folder of textures.
+    output : Path
+        The picture: ``.png``, ``.tif`` or ``.exr``.
+    width, height : int
+        Size of the window in pixels.
+    x, y : int, optional
+        Its north-west pixel; default (0, 0). The plane is endless where the set has a direct tiling.
     map : str, optional
-        Which map; the main one by default.
+        Which map; default the main one.
     density : Path, optional
-        A gray picture that steers where a set of two sources shows the second, with ``cells_per_pixel``.
-    lattice_seed : int
-        Seed of the tiling.
+        A gray picture that steers where a set of two sources shows the second.
+    cells_per_pixel : float, optional
+        Tiles along a pixel of ``density``; default 1.
+    lattice_seed : int, optional
+        Seed of the tiling; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     folder: Path

@@ -29,20 +29,47 @@ class TextureJob(Job):
     photo : Path, optional
         A photograph, or a folder of a material's maps.
     output : Path, optional
-        The folder of the set; that of ``like``, else ``tiles``, by default.
-    tiles, colors
-        ``"corner"``, ``"wang"``, ``"cohen-8"``, ``"cohen-12"``, ``"cohen-18"`` or ``"corner-coded"``, and the
-        colors of a complete set.
-    tile_size : int or "auto"
-        Pixels along a tile.
-    map, weight, kind : dict by map name
-        Files, what a map counts in the cut, and what it holds.
-    normal, flatten, mask, second, method, threads, seed
-        As in `texture_tiles`.
+        The folder of the set; default that of ``like``, else ``tiles``.
+    tiles : str, optional
+        ``"corner"`` (default), ``"wang"``, ``"cohen-8"``, ``"cohen-12"``, ``"cohen-18"`` or
+        ``"corner-coded"``.
+    colors : int, optional
+        Colors of a complete set; default 2, or 4 with ``second``.
+    tile_size : int or str, optional
+        Pixels along a tile, even, or ``"auto"``; default 128.
+    map : dict of str to path, optional
+        Files of maps by name.
+    weight : dict of str to float, optional
+        What a map counts in the cut; default 1 for color, 0.1 for others.
+    kind : dict of str to str, optional
+        What maps hold, as in `open_exemplar`; default as their names tell.
+    normal : str, optional
+        ``"gl"`` or ``"dx"``: green of normal maps points up or down; default found.
+    flatten : bool, optional
+        Take out light that varies slowly; default False.
+    mask : Path, optional
+        A picture: white may be copied.
+    second : Path, optional
+        A second photograph, for marked corners.
+    method : str, optional
+        How tiles are made, see `synthesize`.
     from_ : Path, optional
-        A set to make again, with ``reject`` (names of patches) and ``pick`` (places by name).
+        A set to make again, with ``reject`` and ``pick``.
     like : Path, optional
         A set that gets the maps of ``map``, cut as it was cut.
+    reject : sequence of str, optional
+        Names of patches that must come from elsewhere.
+    pick : dict of str to (int, int, int), optional
+        Places (source, y, x) of patches by name.
+    threads : int, optional
+        Threads; default all processors.
+    seed : int, optional
+        The same seed gives the same bytes; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     photo: Path | None = None

@@ -13,12 +13,20 @@ class ViewJob(Job):
 
     Attributes
     ----------
-    folder, output : Path
-        A tile-set folder of textures; the ``.html`` file.
-    compare : bool
-        Beside plain repetition, hex-tiling, by-example noise, and the other of Wang and corner tiles.
-    lattice_seed : int
-        Seed of the tiling that the page begins with.
+    folder : Path
+        A tile-set folder of textures.
+    output : Path
+        The ``.html`` file.
+    compare : bool, optional
+        Show plain repetition, hex-tiling, by-example noise, and the other of Wang and corner tiles too;
+        default False.
+    lattice_seed : int, optional
+        Seed of the tiling that the page begins with; default 0.
+
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
     folder: Path

@@ -58,6 +58,13 @@ def free_tiles(count: int = 2) -> TileSet:
     -------
     TileSet
         Its one slot, ``tile``, is the tile's index.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The number is not an integer.
+    TilewrightValueError
+        It is out of range.
     """
     return _complete(FREE, (check_int("count", count, 1, MOST_COLORS),))
 

@@ -33,6 +33,11 @@ class Shape:
         the order x (east), y (south), z (down). Several joints may have one step, and steps may be slanted,
         as between hexagons in rows that are shifted.
 
+    Raises
+    ------
+    TilewrightValueError
+        There are not as many steps as joints, or steps of different lengths.
+
     Notes
     -----
     The order of the slots is that of Lagae 2007, section 2.7. The thesis lets y grow up; here it grows south,
@@ -49,7 +54,9 @@ class Shape:
             object.__setattr__(self, "steps", _axes(len(self.joints)))
         if len(self.steps) != len(self.joints) or len({len(step) for step in self.steps}) != 1:
             raise TilewrightValueError(
-                f"steps is {self.steps}; {len(self.joints)} joints need as many steps, all of one length"
+                f"is {self.steps}; {len(self.joints)} joints need as many steps, all of one length",
+                argument="steps",
+                value=self.steps,
             )
 
     @property
@@ -58,7 +65,17 @@ class Shape:
         return len(self.steps[0])
 
     def across(self, axis: int) -> Joint:
-        """All pairs of slots that must agree between a tile and the next along an axis.
+        """List all pairs of slots that must agree between a tile and the next along an axis.
+
+        Parameters
+        ----------
+        axis : int
+            0 for x, 1 for y, 2 for z.
+
+        Returns
+        -------
+        Joint
+            Pairs of slots: of the tile, and of the next one.
 
         Raises
         ------
