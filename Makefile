@@ -6,8 +6,10 @@ PHOTOS ?=
 VENV := .venv
 BIN := $(VENV)/bin
 OUT ?= out
+UPDATE ?=
+LOWEST_PYTHON ?= python3.11
 
-.PHONY: demo test bench docs gallery lint clean
+.PHONY: demo test bench docs gallery lint dist lowest clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -27,8 +29,10 @@ test: $(VENV)/.test-installed
 	sh .ci/install-validators
 	$(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal
 
+# Ratios are compared with benchmarks/ratios.json; UPDATE=1 writes them there.
 bench: $(VENV)/.bench-installed $(VENV)/.test-installed
-	$(BIN)/python -m pytest benchmarks --benchmark-columns=min,median,max --benchmark-sort=name
+	$(BIN)/python -m pytest benchmarks --benchmark-columns=min,median,max --benchmark-sort=name \
+		$(if $(UPDATE),--update-ratios)
 
 lint: $(VENV)/.lint-installed
 	$(BIN)/ruff check .
@@ -47,5 +51,13 @@ docs: $(VENV)/.docs-installed
 gallery: $(VENV)/.demo-installed
 	$(BIN)/python examples/gallery.py $(if $(PHOTOS),--photos "$(PHOTOS)")
 
+# The wheel and the source distribution, in dist/ once the wheel has worked in an empty environment.
+dist: $(VENV)/.dist-installed
+	$(BIN)/python tools/check_dist.py
+
+# The lowest versions of the dependencies that pyproject.toml allows, in an environment of their own.
+lowest:
+	$(LOWEST_PYTHON) tools/lowest.py
+
 clean:
-	rm -rf $(VENV) $(OUT) site
+	rm -rf $(VENV) $(OUT) dist site

@@ -150,7 +150,9 @@ class Away:
 
     def install(self, what: str) -> None:
         """Through pip."""
-        self.run(self.python, "-m", "pip", "install", "--quiet", what)
+        # Without compiling: most modules are never imported here.
+        options = ("--quiet", "--no-compile", "--disable-pip-version-check")
+        self.run(self.python, "-m", "pip", "install", *options, what)
 
     def run(self, *command: object) -> str:
         """What a program prints."""

@@ -57,7 +57,7 @@ def lower_bounds(requirements: list[str]) -> list[str]:
         if match is None:
             sys.exit(f"lowest: {requirement!r} is not of the form name>=version")
         found[match[1]] = f"{match[1]}=={match[2]}"
-    return sorted(found.values())
+    return [found[name] for name in sorted(found)]
 
 
 def check_python(allowed: str) -> None:

@@ -1,6 +1,8 @@
-"""The version stands in one place, src/tilewright/__init__.py."""
+"""What stands in one place stays in one place: the version, and the lowest versions of dependencies."""
 
 import re
+import runpy
+import sys
 import tomllib
 from pathlib import Path
 
@@ -26,3 +28,13 @@ def test_the_program_says_it_too(capsys):
         run(["--version"])
     assert ended.value.code == 0
     assert capsys.readouterr().out == f"tilewright {tw.__version__}\n"
+
+
+def test_every_dependency_has_a_lower_bound(capsys, monkeypatch):
+    path = ROOT / "tools" / "lowest.py"
+    monkeypatch.setattr(sys, "argv", [str(path), "--list"])
+    runpy.run_path(str(path), run_name="__main__")
+    named = [line.partition("==")[0] for line in capsys.readouterr().out.split()]
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    wanted = {*project["dependencies"], *project["optional-dependencies"]["test"]}
+    assert named == sorted({requirement.partition(">=")[0] for requirement in wanted})
