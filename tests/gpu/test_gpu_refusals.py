@@ -14,6 +14,7 @@ from tilewright.errors import GpuError, TilewrightError, TilewrightTypeError, Ti
 from tilewright.gpu import GpuField, GpuPicture, OrthographicCamera, PerspectiveCamera
 from tilewright.gpu import device as device_module
 from tilewright.gpu.device import open_gpu
+from tilewright.gpu.painter import check_fits
 from tilewright.shaders.assembly import VERTEX, read_part
 from tilewright.shaders.layouts import make_layout
 
@@ -55,9 +56,9 @@ def test_what_does_not_fit():
     with pytest.raises(
         GpuError, match="atlas is 64 x 64 texels, Small takes 63 along a side; use fewer colors"
     ):
-        make_layout(handmade(tiles, 16), "atlas", None).check_fits(gpu)
+        check_fits(make_layout(handmade(tiles, 16), "atlas", None), gpu)
     with pytest.raises(GpuError, match="16 layers, Small takes 15; use layout='atlas'"):
-        make_layout(handmade(tiles, 16), "array", None).check_fits(gpu)
+        check_fits(make_layout(handmade(tiles, 16), "array", None), gpu)
 
 
 @pytest.mark.parametrize(

@@ -90,6 +90,7 @@ CALLS = {
     "shape must be a Shape": lambda: tw.ListedTileSet(None, [[1, 2]]),
     "shape is \\[\\]": lambda: tw.tile_set([[1, 2, 3, 4]], []),
     "colors must be a tuple": lambda: tw.ListedTileSet(tw.wang_tiles(2).shape, [[0] * 4], np.array(3)),
+    "4096 corner-coded tiles is neither": lambda: tw.density_tiling(tw.crossed_wang_tiles(2), lambda x, y: x),
     "name is array": lambda: tw.aperiodic_tiles(np.array([1, 2])),
     "positions must be an integer, not \\[": lambda: tw.brick_tiles([]),
     "size must be a width": lambda: tw.BrickField(tw.endless_brick_tiling(3), size=np.array([30, 40])),

@@ -5,6 +5,7 @@ import pytest
 
 import tilewright as tw
 from handmade import handmade
+from tilewright.shaders.mipmaps import atlas_mipmaps
 from tilewright.signals.points import PointTiles
 
 LIMITS = {"H0": 3, "V0": 3, "H1": 3, "V1": 3}
@@ -76,3 +77,12 @@ def test_free_tiles_in_a_folder_come_back(tmp_path):
 def test_bad_numbers_of_free_tiles():
     with pytest.raises(tw.TilewrightError, match="count is 0"):
         tw.free_tiles(0)
+
+
+def test_smaller_levels_of_an_atlas_agree_wherever_free_tiles_may_meet():
+    """Any tile may lie beside any other, so texels at borders are those of no one tile."""
+    atlas = atlas_mipmaps(handmade(tw.free_tiles(3), size=16), np.array([[0, 1, 2]]))
+    level = atlas.levels[1][0].reshape(8, 3, 8, 3).swapaxes(0, 1)
+    assert (level[:, 0, 1:-1] == level[:1, 0, 1:-1]).all()
+    assert (level[:, 1:-1, -1] == level[:1, 1:-1, -1]).all()
+    assert not (level[:, 4, 4] == level[:1, 4, 4]).all()

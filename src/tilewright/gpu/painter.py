@@ -24,7 +24,7 @@ class Painter:
     """A compiled shader with its textures, and a canvas of one block."""
 
     def __init__(self, gpu: Gpu, layout: Layout, hash: ShaderHash | None, pixels: PixelFormat) -> None:
-        _check_fits(layout, gpu)
+        check_fits(layout, gpu)
         if pixels.target_dtype == np.float32 and not gpu.filters_floats:
             raise GpuError(
                 f"{gpu.name} cannot filter 32-bit floats, which {pixels.dtype} maps need",
@@ -69,7 +69,7 @@ class Painter:
         return self._pixels.download(self._gpu.read(self._canvas, width, height, self._pixels.target_dtype))
 
 
-def _check_fits(layout: Layout, gpu: Gpu) -> None:
+def check_fits(layout: Layout, gpu: Gpu) -> None:
     """Raise where a GPU has no textures of a layout's size."""
     for mips in layout.textures:
         layers, *sides, _ = mips.levels[0].shape

@@ -88,8 +88,7 @@ class EndlessDappledTiling(Tiling):
         return self._cells(x, y, width, height)
 
     def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:
-        height, width = out.shape
-        x, y = start
+        (x, y), (height, width) = start, out.shape
         out[...] = self._cells(x, y, width, height)
 
     def _cells(self, x: int, y: int, width: int, height: int) -> Cells:
