@@ -137,6 +137,12 @@ from .fields import (
     NoiseField as NoiseField,
 )
 from .fields import (
+    PixelField as PixelField,
+)
+from .fields import (
+    PixelMap as PixelMap,
+)
+from .fields import (
     PointField as PointField,
 )
 from .fields import (

@@ -47,6 +47,14 @@ class Domain:
         wrapped = sum(p is not None for p in self.periods)
         return "plane" if wrapped == 0 else "torus" if wrapped == len(self.periods) else "cylinder"
 
+    def scaled(self, *units: int) -> "Domain":
+        """The same domain counted in parts of a cell, of which ``units`` make a cell along each axis."""
+        periods = tuple(None if p is None else p * u for p, u in zip(self.periods, units, strict=True))
+        bounds = tuple(
+            None if b is None else (b[0] * u, b[1] * u) for b, u in zip(self.bounds, units, strict=True)
+        )
+        return Domain(periods, bounds)
+
     def check_window(self, start: tuple[int, ...], extent: tuple[int, ...]) -> None:
         """Raise unless a window of cells lies in the domain and is of a size that can be held."""
         axes = "xyz"

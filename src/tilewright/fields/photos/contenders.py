@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
 from tilewright.fields.photos.methods import HexField, NoiseField, PhotoField, RepeatField
+from tilewright.fields.plane import PixelField
 from tilewright.fields.textures import TextureField
 from tilewright.signals.textures import TextureTiles
 from tilewright.tiles import corner_tiles, wang_tiles
@@ -27,7 +28,7 @@ class Contender:
         ``"repeat"``, ``"hex"``, ``"noise"``, ``"wang"`` or ``"corner"``.
     label : str
         What a person calls it.
-    field : TextureField or PhotoField
+    field : PixelField
     lattice : array, shape (2, 2)
         Two vectors (x, y), in pixels, of the lattice that the method works on.
     fetches, table_fetches : int
@@ -38,7 +39,7 @@ class Contender:
 
     name: str
     label: str
-    field: TextureField | PhotoField
+    field: PixelField
     lattice: NDArray[np.int64]
     fetches: int
     table_fetches: int

@@ -3,17 +3,18 @@
 These are the methods that tiles are compared with; `tilewright.compare_textures` measures them.
 """
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int
 from tilewright.fields.photos.gaussian import gaussianize
+from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
 from tilewright.signals.textures.exemplar import check_map
 from tilewright.signals.textures.kinds import from_values, to_values
-from tilewright.tilings import MixerHash
+from tilewright.tilings import Domain, MixerHash
 
 PATCH_STREAMS = (10, 11)
 """Of the lattice hash: column and row of the photograph where a vertex's patch lies."""
@@ -24,8 +25,8 @@ _REACH = 2**62
 _BLOCK = 2**18
 
 
-class PhotoField(ABC):
-    """A plane made from one photograph.
+class PhotoField(PixelField):
+    """A plane made from one photograph, which reaches to pixels +-2^62.
 
     Parameters
     ----------
@@ -40,32 +41,28 @@ class PhotoField(ABC):
     """
 
     lattice: NDArray[np.int64]
+    reach = (_REACH, _REACH)
 
     def __init__(self, photo: NDArray[Any], kind: str = "color") -> None:
         self.photo = check_map("photo", photo)
         self.kind = kind
 
-    def render(self, x: int = 0, y: int = 0, width: int = 1024, height: int = 1024) -> NDArray[Any]:
-        """Pixels of a window, equal to the same pixels of any other window.
+    @property
+    def domain(self) -> Domain:
+        """Where there are pixels, and after how many of them they repeat, x first."""
+        return Domain()
 
-        Parameters
-        ----------
-        x, y : int
-            North-west pixel, within +-2^62.
-        width, height : int
-            Pixels.
+    @property
+    def maps(self) -> dict[str, PixelMap]:
+        """The type, channels and kind of the one map, ``"photo"``."""
+        return {"photo": PixelMap(self.photo.dtype, self.photo.shape[2], self.kind)}
 
-        Returns
-        -------
-        array, shape (height, width, channels), of the photograph's type
-        """
-        width, height = (check_int(n, v, 1, 2**31 - 1) for n, v in (("width", width), ("height", height)))
-        x, y = (check_int(n, v, -_REACH, _REACH) for n, v in (("x", x), ("y", y)))
-        out = np.empty((height, width, self.photo.shape[2]), self.photo.dtype)
-        rows = max(1, _BLOCK // width)
-        for top in range(0, height, rows):
-            out[top : top + rows] = self._fill(x, y + top, width, min(rows, height - top))
-        return out
+    def _paint(self, window: PixelWindow, outs: Mapping[str, NDArray[Any]]) -> None:
+        """Painted in blocks of rows."""
+        for out in outs.values():
+            columns = min(window.width, _BLOCK)
+            for piece, at in window.split(columns, max(1, _BLOCK // columns)):
+                out[at] = self._fill(*piece)
 
     @abstractmethod
     def _fill(self, x: int, y: int, width: int, height: int) -> NDArray[Any]:
@@ -79,6 +76,11 @@ class RepeatField(PhotoField):
         super().__init__(photo, kind)
         h, w = self.photo.shape[:2]
         self.lattice = np.array([[w, 0], [0, h]])
+
+    @property
+    def domain(self) -> Domain:
+        """The plane, which repeats after the size of the photograph."""
+        return Domain(self.photo.shape[1::-1], (None, None))
 
     def _fill(self, x: int, y: int, width: int, height: int) -> NDArray[Any]:
         h, w = self.photo.shape[:2]
