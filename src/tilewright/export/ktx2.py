@@ -18,6 +18,7 @@ from tilewright import __version__
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.files.atomic import as_path, whole_file
+from tilewright.pixels import as_rgba, white
 
 _IDENTIFIER = b"\xabKTX 20\xbb\r\n\x1a\n"
 _HEADER = struct.Struct("<12s9I4I2Q")
@@ -241,19 +242,11 @@ def _place(levels: list[NDArray[Any]], layout: _Layout, start: int) -> list[tupl
 
 def _texels(layer: NDArray[Any], layout: _Layout) -> NDArray[Any]:
     """A layer as it lies in the file."""
-    given = layer.shape[-1]
-    texels = np.empty((*layer.shape[:-1], layout.channels), layout.kind)
-    if given == layout.channels:
-        texels[...] = layer
-        return texels
-    color = layer if given == 3 else layer[..., :1]
-    texels[..., :3] = color
-    texels[..., 3] = layer[..., 1] if given == 2 else _one(layout)
+    if layer.shape[-1] != layout.channels:
+        return as_rgba(layer, layout.kind)
+    texels = np.empty(layer.shape, layout.kind)
+    texels[...] = layer
     return texels
-
-
-def _one(layout: _Layout) -> int:
-    return 1 if layout.kind.kind == "f" else int(np.iinfo(layout.kind).max)
 
 
 def _describe(layout: _Layout) -> bytes:
@@ -262,7 +255,7 @@ def _describe(layout: _Layout) -> bytes:
     if layout.kind.kind == "f":
         qualifiers, low, high = _SIGNED_FLOAT, *struct.unpack("<2I", struct.pack("<2f", -1, 1))
     else:
-        qualifiers, low, high = 0, 0, _one(layout)
+        qualifiers, low, high = 0, 0, white(layout.kind)
     samples = b""
     for number in range(layout.channels):
         channel = _CHANNELS[number] | qualifiers

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tilewright.errors import TilewrightFileError, TilewrightValueError
 from tilewright.files.atomic import as_path, whole_file
 from tilewright.files.images import check_writable, first_line, png_fault
+from tilewright.pixels import has_alpha
 
 TILE = 256
 """Side of a TIFF tile, and the most rows rendered at a time."""
@@ -66,7 +67,7 @@ def _write_tiff(
         bigtiff=True,
         photometric="rgb" if channels > 2 else "minisblack",
         planarconfig="contig" if channels > 1 else None,
-        extrasamples=("unassalpha",) if channels in (2, 4) else None,
+        extrasamples=("unassalpha",) if has_alpha(channels) else None,
         metadata=None,
     )
 

@@ -6,29 +6,8 @@ from pathlib import Path
 
 from tilewright.errors import TilewrightFileError, TilewrightWarning
 from tilewright.files.atomic import as_path
+from tilewright.pixels import MAP_WORDS
 
-# Map -> the words that ambientCG, Poly Haven, Substance and others end its file names with.
-WORDS = {
-    "albedo": ("color", "col", "diff", "diffuse", "albedo", "basecolor", "base_color"),
-    "normal": (
-        *("normal", "nor", "nrm", "norm", "normalgl", "normal_gl", "nor_gl"),
-        *("normal_opengl", "normalogl", "normal_ogl"),
-    ),
-    "normal-dx": ("normal_dx", "nor_dx", "normaldx", "normal_directx"),
-    "roughness": ("roughness", "rough"),
-    "glossiness": ("glossiness", "gloss", "smoothness"),
-    "metalness": ("metalness", "metallic", "metal"),
-    "height": ("displacement", "disp", "height", "depth"),
-    "bump": ("bump",),
-    "ao": ("ambientocclusion", "ambient_occlusion", "ao", "occlusion", "occ"),
-    "cavity": ("cavity",),
-    "arm": ("arm",),
-    "orm": ("orm", "occlusionroughnessmetallic"),
-    "opacity": ("opacity", "alpha", "mask"),
-    "emissive": ("emission", "emissive", "emit"),
-    "specular": ("specular", "spec"),
-    "translucency": ("translucency", "translucent"),
-}
 _SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".tga", ".bmp", ".hdr", ".webp")
 _SIZE = re.compile(r"\d+k|\d{3,5}(x\d{3,5})?|png|jpg|exr|tif|lod\d|\d+bit")
 
@@ -77,7 +56,7 @@ def find_maps(folder: str | Path) -> dict[str, Path]:
             TilewrightWarning,
             stacklevel=2,
         )
-    return {name: found[name] for name in WORDS if name in found}
+    return {name: found[name] for name in MAP_WORDS if name in found}
 
 
 def tell_green(file: Path) -> str | None:
@@ -96,7 +75,7 @@ def recognize_map(stem: str) -> str | None:
         words.pop()
     for length in (3, 2, 1):
         ending = words[-length:]
-        for name, known in WORDS.items():
-            if len(ending) == length and {"_".join(ending), "".join(ending)} & set(known):
+        for name, known in MAP_WORDS.items():
+            if len(ending) == length and {"_".join(ending), "".join(ending)} & set(known.endings):
                 return name
     return None

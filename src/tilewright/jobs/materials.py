@@ -12,6 +12,7 @@ from tilewright.checks import check_choice
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.files.images import read_image
 from tilewright.files.map_stack import find_maps, tell_green
+from tilewright.pixels import white, without_alpha
 from tilewright.signals.textures import Exemplar, TextureTiles
 from tilewright.signals.textures.exemplar import check_kinds, check_map
 from tilewright.signals.textures.kinds import is_normal
@@ -301,7 +302,7 @@ def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:
         raise TilewrightTypeError(
             f"mask holds {pixels.dtype}; allowed are bool, unsigned integers, and floats without NaN"
         )
-    white = np.iinfo(pixels.dtype).max if pixels.dtype.kind == "u" else 1
-    if pixels.ndim == 3:  # grey or color, either of them with alpha, which does not count
-        pixels = pixels[..., : 1 if pixels.shape[2] < 3 else 3].mean(axis=2)
-    return pixels >= white / 2
+    half = white(pixels.dtype) / 2
+    if pixels.ndim == 3:  # gray or color, either of them with alpha, which does not count
+        pixels = without_alpha(pixels).mean(axis=2)
+    return pixels >= half

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import check_choice, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.pixels import mean_gray, white
 from tilewright.tiles import CORNER, CORNER_CODED, TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.algorithms import Lattice, Slots, corner_slots, evaluate
@@ -122,11 +123,7 @@ def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
         raise TilewrightTypeError(
             f"the density map has type {map_.dtype}; allowed are floats, bool and unsigned integers"
         )
-    # Gray is the mean of the colors; alpha (the last of 2 or 4 channels) says nothing.
-    colors = map_[..., : 1 if map_.shape[2] < 3 else 3]
-    values = colors.mean(axis=2, dtype=np.float64)
-    if map_.dtype.kind == "u":
-        return values / np.iinfo(map_.dtype).max
+    values = mean_gray(map_) / white(map_.dtype)
     if not ((values >= 0) & (values <= 1)).all():
         raise TilewrightValueError("the density map has values outside 0 to 1 (or NaN)")
     return values

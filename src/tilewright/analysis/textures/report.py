@@ -19,6 +19,7 @@ from tilewright.analysis.textures.seams import (
 from tilewright.analysis.textures.structure import seam_novelty, used_share
 from tilewright.errors import Progress, TilewrightTypeError
 from tilewright.files.atomic import whole_file
+from tilewright.pixels import as_rgb
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
 
@@ -151,8 +152,7 @@ def _shown(pixels: NDArray[np.float32], material: TextureTiles) -> NDArray[np.fl
     """Pixels as RGB, 0 to 1; float maps are scaled to what they hold."""
     kind = material.pixels.dtype
     white = np.iinfo(kind).max if kind.kind == "u" else max(float(material.pixels.max()), 1e-9)
-    color = pixels[..., :3] if pixels.shape[2] >= 3 else np.repeat(pixels[..., :1], 3, axis=2)
-    return np.clip(color / white, 0, 1)
+    return np.clip(as_rgb(pixels) / white, 0, 1)
 
 
 def _reduce(picture: NDArray[np.float32], step: int) -> NDArray[np.float32]:

@@ -11,6 +11,7 @@ from tilewright.checks import check_choice, check_int, check_progress, check_rea
 from tilewright.errors import Progress, TilewrightTypeError
 from tilewright.files.atomic import as_path, whole_file
 from tilewright.flows.flow import Flow
+from tilewright.pixels import read_hex
 
 SUFFIXES = (".gif", ".webp")
 _MOST_PIXELS = 2**24
@@ -142,7 +143,7 @@ def draw_density(flow: Flow, *, size: int = 8, most: float | None = None) -> NDA
         most = float(np.quantile(heat[heat > 0], 0.998)) if heat.any() else 1.0
     light = np.sqrt(np.minimum(heat / most, 1))
     shown = _lanes(light, size) if size >= 4 else light.repeat(size, axis=0).repeat(size, axis=1)
-    anchors = np.array([_rgb(color) for color in _HEAT], float)
+    anchors = np.array([read_hex(color) for color in _HEAT], float)
     at = np.linspace(0, 1, len(anchors))
     return np.stack([np.rint(np.interp(shown, at, band)) for band in anchors.T], axis=-1).astype(np.uint8)
 
@@ -171,10 +172,6 @@ def _lanes(arms: NDArray[np.float64], size: int) -> NDArray[np.float64]:
         lane = shown[:, rows[way], :, columns[way]]
         np.maximum(lane, arms[:, np.newaxis, :, np.newaxis, way], out=lane)
     return shown.reshape(height * size, width * size)
-
-
-def _rgb(color: str) -> tuple[int, ...]:
-    return tuple(bytes.fromhex(color[1:]))
 
 
 def _check_flow(flow: Flow) -> None:
@@ -243,10 +240,10 @@ class _Painter:
 
 def _palette(hues: tuple[str, ...]) -> bytes:
     """Ground; from there on to line, source and sink; on to each hue; one that is not shown."""
-    ground = np.array(_rgb(_GROUND))
+    ground = np.array(read_hex(_GROUND))
     colors = [ground]
     for color, count in ((_LINE, _RAMP), (_SOURCE, _RAMP), (_SINK, _RAMP), *((hue, _LEVELS) for hue in hues)):
-        colors += [ground + (np.array(_rgb(color)) - ground) * (k + 1) / count for k in range(count)]
+        colors += [ground + (np.array(read_hex(color)) - ground) * (k + 1) / count for k in range(count)]
     colors.append(np.array([255, 0, 255]))
     return np.rint(colors).astype(np.uint8).tobytes()
 

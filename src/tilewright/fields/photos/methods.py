@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 
 from tilewright.fields.photos.gaussian import gaussianize
 from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
+from tilewright.pixels import LUMA
 from tilewright.signals.textures.exemplar import check_map
 from tilewright.signals.textures.kinds import from_values, to_values
 from tilewright.tilings import Domain, MixerHash
 
 PATCH_STREAMS = (10, 11)
 """Of the lattice hash: column and row of the photograph where a vertex's patch lies."""
-LUMINANCE = np.array((0.299, 0.587, 0.114), np.float32)
+_LUMA = np.array(LUMA, np.float32)
 CONTRAST, EXPONENT = 0.6, 7
 """How much a patch's brightness and its place count in hex-tiling (Mikkelsen 2022)."""
 _REACH = 2**62
@@ -186,7 +187,7 @@ class HexField(BlendField):
         self, weights: NDArray[np.float64], rows: NDArray[np.int64], columns: NDArray[np.int64]
     ) -> NDArray[Any]:
         values = self._values[rows, columns]
-        bright = values[..., :3] @ LUMINANCE if values.shape[-1] >= 3 else values[..., 0]
+        bright = values[..., :3] @ _LUMA if values.shape[-1] >= 3 else values[..., 0]
         weights = (1 + CONTRAST * (bright - 1)) * weights**EXPONENT
         weights /= weights.sum(axis=0)
         blended = (weights[..., np.newaxis] * values).sum(axis=0)

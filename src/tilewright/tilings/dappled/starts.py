@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from tilewright.checks import check_int, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.pixels import LUMINANCE, white, without_alpha
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.hashes import MixerHash
 
@@ -118,11 +119,10 @@ def _gray(pixels: ArrayLike) -> np.ndarray:
         raise TilewrightTypeError(
             f"pixels must be numbers (h, w) or (h, w, channels), not {given.dtype} {given.shape}"
         )
-    scale = 1.0 if given.dtype.kind == "f" else 1.0 / np.iinfo(given.dtype).max
-    values = given.astype(np.float64) * scale
+    values = given.astype(np.float64) * (1.0 / white(given.dtype))
     if not np.isfinite(values).all():
         raise TilewrightValueError("pixels holds NaN or infinity")
     if values.ndim == 3:
-        colors = values[..., :3] if values.shape[2] >= 3 else values[..., :1]
-        values = colors @ (np.array([0.2126, 0.7152, 0.0722]) if colors.shape[2] == 3 else np.ones(1))
+        colors = without_alpha(values)
+        values = colors @ np.array(LUMINANCE if colors.shape[2] == 3 else (1.0,))
     return np.clip(values, 0, 1).astype(np.float32)
