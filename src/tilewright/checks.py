@@ -1,5 +1,6 @@
 """Checks of what callers give; each raises one clear line that names the argument."""
 
+import inspect
 import operator
 from typing import Any
 
@@ -45,9 +46,28 @@ def check_progress(progress: Any) -> None:
         raise TilewrightTypeError(f"progress must be a function or None, not {brief(progress)}")
 
 
+def check_function_of_place(name: str, given: Any) -> None:
+    """Refuse a function that cannot be called with x and y, before the work begins."""
+    try:
+        signature = inspect.signature(given)
+    except (TypeError, ValueError):  # some compiled functions do not tell
+        return
+    try:
+        signature.bind("x", "y")
+    except TypeError:
+        raise TilewrightTypeError(
+            f"{name} must be a function of two arrays, x and y; this one takes {brief_text(str(signature))}"
+        ) from None
+
+
 def brief(value: Any) -> str:
     """A value as one short line."""
-    words = " ".join(repr(value).split())
+    return brief_text(repr(value))
+
+
+def brief_text(text: str) -> str:
+    """A text as one short line."""
+    words = " ".join(text.split())
     return words if len(words) <= 80 else f"{words[:77]}..."
 
 

@@ -29,6 +29,7 @@ FIELDS = {
     "texture": laid,
     "texture on a torus": lambda: laid(tw.direct, period=(3, 5)),
     "texture on a rectangle": lambda: laid(rectangle),
+    "texture by a picture": lambda: laid(tw.density_tiling, density=[[0.1, 0.9]]),
     "wall": lambda: tw.BrickField(WALLS["wang"](), seed=3),
     "wall with holes": lambda: tw.BrickField(
         tw.brick_region([[1, 1, 1, 1], [1, 0, 0, 1]], positions=3, seed=1), size=(30, 40)

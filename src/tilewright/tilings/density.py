@@ -1,12 +1,12 @@
 """Tilings steered by a map: where corners are marked follows a picture or a function."""
 
 from collections.abc import Callable
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_choice, check_real
+from tilewright.checks import check_choice, check_function_of_place, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.pixels import mean_gray, white
 from tilewright.tiles import CORNER, CORNER_CODED, TileSet
@@ -17,6 +17,7 @@ from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import LatticeHash, as_grid, make_hash
 
 Density = Callable[[NDArray[np.float64], NDArray[np.float64]], ArrayLike]
+"""``density(x, y)``: for two arrays of one shape the shares there, 0 to 1, in an array of that shape."""
 _DENSITY = 8
 """Stream of the hash that is compared with the density."""
 
@@ -47,19 +48,39 @@ class DensityTiling(SlotTiling):
     def marks(self, columns: NDArray[np.int64], rows: NDArray[np.int64]) -> NDArray[np.float64]:
         """The density at the lattice points of a grid, checked, shape (len(rows), len(columns))."""
         x, y = np.meshgrid(columns.astype(float), rows.astype(float))
-        given = self.density(x, y)
-        try:
-            found = np.asarray(given)
-            if found.dtype.kind not in "buif":
-                raise TypeError(f"it gave {found.dtype}")
-            values = np.broadcast_to(found.astype(float), x.shape)
-        except (TypeError, ValueError) as error:
-            raise TilewrightValueError(
-                f"the density function did not give one number for each point of {x.shape}: {error}"
-            ) from None
-        if not ((values >= 0) & (values <= 1)).all():
-            raise TilewrightValueError("the density function gave values outside 0 to 1 (or NaN)")
-        return values
+        return evaluate_density(self.density, x, y)
+
+
+def evaluate_density(density: Density, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """What a density says of places, if it says a share for each, or one for all; the shape of ``x``."""
+    x, y = _read_only(x), _read_only(y)
+    try:
+        found = np.asarray(density(x, y))
+    except ValueError as error:
+        if "read-only" in str(error):
+            raise TilewrightValueError("the density function writes into the arrays it is given") from None
+        raise
+    if found.dtype.kind not in "buif":
+        raise TilewrightTypeError(f"the density function answered {found.dtype}; expected numbers")
+    if found.shape not in (x.shape, ()):
+        raise TilewrightValueError(
+            f"the density function answered shape {found.shape} for places of shape {x.shape}; expected one "
+            "number for each"
+        )
+    shares = np.broadcast_to(found.astype(np.float64), x.shape)
+    bad = ~((shares >= 0) & (shares <= 1))
+    if bad.any():
+        at = np.unravel_index(int(np.argmax(bad)), bad.shape)
+        raise TilewrightValueError(
+            f"the density function is {shares[at]} at x={x[at]}, y={y[at]}; shares are 0 to 1"
+        )
+    return shares
+
+
+def _read_only(given: NDArray[np.float64]) -> NDArray[np.float64]:
+    shown = given.view()
+    shown.setflags(write=False)
+    return shown
 
 
 def density_tiling(
@@ -82,9 +103,10 @@ def density_tiling(
         A complete corner set over 2 colors or more, or a corner-coded set with all 16 marks (128 tiles over
         Cohen's 8).
     density : function or 2D array
-        ``f(x, y)`` of lattice points (arrays of float) that returns the probability, 0 to 1; or a gray map,
-        shape (h, w) or (h, w, channels), whose colors are averaged and alpha ignored: floats 0 to 1, or
-        integers of their type's range. Pixel (0, 0) of a map covers the cells from (0, 0).
+        ``density(x, y)`` of lattice points, two float64 arrays of one shape, that answers the probability
+        of each, 0 to 1, in an array of that shape; or a gray map, shape (h, w) or (h, w, channels), whose
+        colors are averaged and alpha ignored: floats 0 to 1, or integers of their type's range. Pixel (0, 0)
+        of a map covers the cells from (0, 0).
     seed : int
     cells_per_pixel : float
         Size of a map's pixels in cells; values between pixel centers are interpolated.
@@ -100,10 +122,12 @@ def density_tiling(
             "a density needs a complete corner set or a corner-coded set with all marks; "
             f"the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles is neither"
         )
-    if not callable(density):
+    if callable(density):
+        check_function_of_place("density", density)
+    else:
         check_choice("outside", outside, ("clamp", "repeat"))
         size = check_real("cells_per_pixel", cells_per_pixel, 1e-6, 1e9)
-        density = _interpolate(_as_gray(density), size, outside)
+        density = _Interpolation(_as_gray(density), size, outside)
     return DensityTiling(tiles, make_hash(hash, seed), algorithm or "", density)
 
 
@@ -129,20 +153,24 @@ def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
     return values
 
 
-def _interpolate(gray: NDArray[np.float64], size: float, outside: str) -> Density:
-    def density(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[Any]:
-        column, row = x / size - 0.5, y / size - 0.5
+@dataclass(frozen=True, eq=False)
+class _Interpolation:
+    """A gray map as a density: between the centers of pixels of ``size`` cells values are interpolated."""
+
+    gray: NDArray[np.float64]
+    size: float
+    outside: str
+
+    def __call__(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        column, row = x / self.size - 0.5, y / self.size - 0.5
         left, top = np.floor(column).astype(np.int64), np.floor(row).astype(np.int64)
         dx, dy = column - left, row - top
+        upper = self._at(top, left) * (1 - dx) + self._at(top, left + 1) * dx
+        lower = self._at(top + 1, left) * (1 - dx) + self._at(top + 1, left + 1) * dx
+        return np.asarray(upper * (1 - dy) + lower * dy)
 
-        def at(i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.float64]:
-            h, w = gray.shape
-            if outside == "repeat":
-                return gray[i % h, j % w]
-            return gray[i.clip(0, h - 1), j.clip(0, w - 1)]
-
-        upper = at(top, left) * (1 - dx) + at(top, left + 1) * dx
-        lower = at(top + 1, left) * (1 - dx) + at(top + 1, left + 1) * dx
-        return upper * (1 - dy) + lower * dy
-
-    return density
+    def _at(self, i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.float64]:
+        h, w = self.gray.shape
+        if self.outside == "repeat":
+            return self.gray[i % h, j % w]
+        return self.gray[i.clip(0, h - 1), j.clip(0, w - 1)]

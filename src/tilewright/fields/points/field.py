@@ -7,21 +7,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_int, check_real
+from tilewright.checks import check_function_of_place, check_int, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.fields.agreement import check_agreement
 from tilewright.fields.points.nearest import NearestSearch
-from tilewright.fields.points.thinning import DensityFunction, draw_lowest, evaluate_density, share_out
+from tilewright.fields.points.thinning import Density, draw_lowest, share_out
 from tilewright.fields.points.window import MOST_POINTS, PointWindow, View, Window
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.point_set import PointSet
 from tilewright.signals.points import PointTiles
 from tilewright.tilings import MixerHash, Tiling
+from tilewright.tilings.density import evaluate_density
 from tilewright.tilings.direct_tiling import DirectTiling
 from tilewright.tilings.domain import LARGEST_CELL
-
-Density = float | DensityFunction
-"""A share 0 to 1 of the points, or a function that gives it at points, shape (n, 2) -> (n,)."""
 
 _VARIANTS = 6
 """Stream of the hash that picks variants."""
@@ -71,8 +69,9 @@ class PointField:
         width, height : float
             In tiles.
         density : float or function, optional
-            Keep this share of the points, the first of them by rank. A function is called with points,
-            float64, shape (n, 2), and answers shares from 0 to 1 for each.
+            Keep this share of the points, the first of them by rank. A function ``density(x, y)`` gets two
+            float64 arrays of shape (n,), the points as they are asked for, and answers the share of each, 0
+            to 1, in an array of that shape.
         local : bool
             Measure from the window's corner instead of from the origin, which keeps far windows exact.
         out : float32 or float64 array, shape (at least as many as come, 2), C-contiguous, optional
@@ -308,9 +307,11 @@ class PointField:
         from tilewright.kernels.emission import lay_points, lay_whole_tiles
 
         tiles, function = self.tiles, density if callable(density) else None
+        if function is not None:
+            check_function_of_place("density", function)
         if out is not None:
             _check_out(out, 0)
-        rank = 1.0 if callable(density) else _check_share(density)
+        rank = _check_share(density) if function is None else 1.0
         named = named or function is not None
         whole = view.window.is_whole and self._same > 0 and rank >= 1 and not named
         counts = None if whole else self._counts(view, rank)
@@ -328,7 +329,7 @@ class PointField:
             )  # fmt: skip
         if function is None:
             return target, names
-        kept = self._ranks_of(view, names) < evaluate_density(function, target)
+        kept = self._ranks_of(view, names) < evaluate_density(function, *target.T)
         if out is not None:
             kept_out = _check_out(out, int(kept.sum()))
             kept_out[...] = target[kept]

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers, check_int
+from tilewright.checks import as_integers, check_function_of_place, check_int
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 Cells = NDArray[np.uint8]
@@ -51,7 +51,8 @@ class Conditions:
         ``"H0"`` limits horizontal runs of tile 0, ``"V1"`` vertical runs of tile 1 (H_t^p and V_t^q of Kaji
         et al. 2016, definition 1.1), ``"H0+2"`` horizontal runs of tiles 0 and 2 (H_tau^p, section 6 (2)).
         A longest run is a number from 0 on, `math.inf`, an array ``(height, width)`` or a function of x and
-        y: what may end at that cell, looking west or north (section 3.1).
+        y, two arrays of one shape, to an array of that shape: what may end at that cell, looking west or
+        north (section 3.1).
     tiles : int, optional
         Number of tiles; by default one more than the largest named, at least 2.
 
@@ -121,7 +122,9 @@ def _parse(name: Any, most: Any) -> Limit:
             f"limits name {name!r}; expected H or V and tiles, such as 'H0', 'V1' or 'H0+2'"
         )
     tiles = tuple(sorted({check_int(name, int(t), 0, _MOST_TILES - 1) for t in found[2].split("+")}))
-    if not callable(most):
+    if callable(most):
+        check_function_of_place(f"the limit of {name}", most)
+    else:
         most = _as_most(name, most, None)
     return Limit("HV".index(found[1]), tiles, most)
 

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_real
+from tilewright.checks import check_function_of_place, check_real
 from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Most, as_cells
@@ -114,6 +114,8 @@ def endless_dappled_tiling(
             f"limits go down to {least}; an endless tiling needs limits from 3 on, or from 2 on for just one "
             "horizontal limit of one tile and one vertical limit of the other"
         )
-    if not callable(start):
+    if callable(start):
+        check_function_of_place("start", start)
+    else:
         check_real("start", start, 0, 1)
     return EndlessDappledTiling(conditions, start, check_seed(seed))
