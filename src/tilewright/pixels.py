@@ -3,6 +3,7 @@
 Pixels are arrays of shape (..., channels) with 1 to 4 channels: gray, gray and alpha, color, color and alpha.
 """
 
+import os
 import re
 from typing import Any, NamedTuple
 
@@ -52,6 +53,58 @@ def as_rgba(pixels: NDArray[Any], kind: np.dtype[Any] | None = None) -> NDArray[
 def mean_gray(pixels: NDArray[Any]) -> NDArray[np.float64]:
     """The mean of the colors, in the numbers of the pixels, shape (...)."""
     return np.asarray(without_alpha(pixels).mean(axis=-1, dtype=np.float64))
+
+
+def as_pixels(name: str, given: Any) -> Any:
+    """The pixels of a Pillow image; other pictures as they are.
+
+    Pixels come as `tilewright.read_image` gives those of the file: upright, palettes expanded, 8 bit as
+    uint8, 16 bit as uint16, floats as float32.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A path, which is to be opened where files are read; a Pillow image of another kind.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        raise TilewrightTypeError(
+            f"{name} must be an array or a Pillow image, not a path; open it: "
+            f"tilewright.read_image({os.fspath(given)!r})"
+        )
+    return _read_pillow(name, given) if is_pillow(given) else given
+
+
+def is_pillow(given: Any) -> bool:
+    """Whether this is a Pillow image, told without importing Pillow."""
+    return any(c.__name__ == "Image" and c.__module__ == "PIL.Image" for c in type(given).__mro__)
+
+
+def _read_pillow(name: str, image: Any) -> NDArray[Any]:
+    from PIL import ImageOps
+
+    image = ImageOps.exif_transpose(image)
+    if "transparency" in image.info and image.mode in ("1", "L", "P", "RGB"):
+        image = image.convert("LA" if image.mode in ("1", "L") else "RGBA")
+    mode = _PILLOW_MODES.get(image.mode)
+    if mode is None:
+        raise TilewrightTypeError(
+            f"{name} is a Pillow image of mode {image.mode}; allowed are {', '.join(_PILLOW_MODES)}"
+        )
+    pixels = np.asarray(image if image.mode == mode else image.convert(mode))
+    if image.mode.startswith("I"):  # how Pillow opens 16-bit gray
+        if pixels.min() < 0 or pixels.max() > 65535:
+            raise TilewrightTypeError(f"{name} is a Pillow image of 32-bit integers beyond 16 bits")
+        pixels = pixels.astype(np.uint16)
+    return pixels.reshape(image.height, image.width, -1)
+
+
+_PILLOW_MODES = {
+    **{"1": "L", "L": "L", "LA": "LA", "La": "LA", "P": "RGB", "PA": "RGBA"},
+    **{"RGB": "RGB", "RGBX": "RGB", "RGBA": "RGBA", "RGBa": "RGBA"},
+    **{"CMYK": "RGB", "YCbCr": "RGB", "HSV": "RGB", "LAB": "RGB"},
+    **{"I;16": "I;16", "I;16L": "I;16L", "I;16B": "I;16B", "I;16N": "I;16N", "I": "I", "F": "F"},
+}
+"""What images of each mode are turned into."""
 
 
 def read_hex(color: Any) -> tuple[int, int, int]:

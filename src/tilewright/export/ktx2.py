@@ -8,7 +8,6 @@ import math
 import struct
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -17,7 +16,7 @@ from numpy.typing import NDArray
 from tilewright import __version__
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import as_path, whole_file
+from tilewright.files.atomic import AnyPath, as_path, whole_file
 from tilewright.pixels import as_rgba, white
 
 _IDENTIFIER = b"\xabKTX 20\xbb\r\n\x1a\n"
@@ -83,7 +82,7 @@ class _Layout:
         return _VK_FORMATS[self.kind.str[1:], self.channels]
 
 
-def write_ktx2(path: str | Path, levels: Sequence[NDArray[Any]], *, srgb: bool) -> None:
+def write_ktx2(path: AnyPath, levels: Sequence[NDArray[Any]], *, srgb: bool) -> None:
     """Write a texture, or a texture array, with its mip levels.
 
     Parameters

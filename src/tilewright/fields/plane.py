@@ -1,6 +1,5 @@
 """The common face of fields of pixels: maps of any window of a plane, in memory or in files."""
 
-import os
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -10,7 +9,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_int, check_progress
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import as_path
+from tilewright.files.atomic import AnyPath, as_path
 from tilewright.files.image_streams import stream_image
 from tilewright.files.images import check_writable
 from tilewright.tilings import Domain
@@ -215,7 +214,7 @@ class PixelField(ABC):
 
     def save(
         self,
-        path: str | os.PathLike[str],
+        path: AnyPath,
         x: int = 0,
         y: int = 0,
         width: int = 1024,

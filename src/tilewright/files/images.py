@@ -1,5 +1,6 @@
 """Photographs and pictures: read and written with their type kept, 8-bit, 16-bit and float."""
 
+import os
 import zlib
 from pathlib import Path
 from typing import Any
@@ -8,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import as_path, whole_file
+from tilewright.files.atomic import AnyPath, as_path, whole_file
+from tilewright.pixels import as_pixels
 
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float32, "float": np.float32}
 _MOST_CHANNELS = 4
@@ -17,7 +19,7 @@ NO_DATE = "1980:01:01 00:00:00"
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 
-def read_image(path: str | Path) -> NDArray[Any]:
+def read_image(path: AnyPath) -> NDArray[Any]:
     """The pixels of an image file, shape (height, width, channels), 1 to 4 channels.
 
     8-bit files come as uint8, 16-bit ones as uint16, half and float ones as float32; palettes are
@@ -62,6 +64,26 @@ def read_image(path: str | Path) -> NDArray[Any]:
         raise TilewrightFileError(f"{path} is truncated or damaged ({reason})")
     pixels = pixels.reshape(spec.height, spec.width, -1).astype(kind, copy=False)
     return _upright(pixels, spec.get_int_attribute("Orientation", 1))
+
+
+def open_picture(name: str, given: Any) -> NDArray[Any]:
+    """The pixels of a picture, however a person brings it: a file's path, a Pillow image, an array.
+
+    Raises
+    ------
+    TilewrightFileError
+        As in `read_image`.
+    TilewrightTypeError
+        ``given`` is none of these; ``name`` is what it is called.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        return read_image(given)
+    pixels = as_pixels(name, given)
+    if not isinstance(pixels, np.ndarray):
+        raise TilewrightTypeError(
+            f"{name} must be a path, an array or a Pillow image, not {type(given).__name__}"
+        )
+    return pixels
 
 
 def _check_readable(path: Path) -> None:
@@ -121,7 +143,7 @@ def first_line(text: str) -> str:
     return " ".join(text.strip().partition("\n")[0].split())
 
 
-def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
+def write_image(path: AnyPath, pixels: NDArray[Any]) -> None:
     """Write pixels, shape (height, width, channels), losslessly, or not at all.
 
     PNG takes uint8 and uint16, TIFF all types, EXR float32; 1 to 4 channels. The file appears under its

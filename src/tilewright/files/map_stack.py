@@ -5,14 +5,14 @@ import warnings
 from pathlib import Path
 
 from tilewright.errors import TilewrightFileError, TilewrightWarning
-from tilewright.files.atomic import as_path
+from tilewright.files.atomic import AnyPath, as_path
 from tilewright.pixels import MAP_WORDS
 
 _SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".tga", ".bmp", ".hdr", ".webp")
 _SIZE = re.compile(r"\d+k|\d{3,5}(x\d{3,5})?|png|jpg|exr|tif|lod\d|\d+bit")
 
 
-def find_maps(folder: str | Path) -> dict[str, Path]:
+def find_maps(folder: AnyPath) -> dict[str, Path]:
     """The maps in a folder, albedo first, told by the ends of their file names.
 
     Files of other names are left out, which is said in a warning. Where a material brings its normals both

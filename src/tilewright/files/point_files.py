@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import as_path, check_file, whole_file
+from tilewright.files.atomic import AnyPath, as_path, check_file, whole_file
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.point_set import PointSet
 
@@ -23,7 +23,7 @@ _NOTE = b"tilewright"
 """Key of the Parquet metadata that says which box the points lie in."""
 
 
-def write_points(path: str | Path, points: PointSet | ArrayLike | Blocks, count: int | None = None) -> None:
+def write_points(path: AnyPath, points: PointSet | ArrayLike | Blocks, count: int | None = None) -> None:
     """Write points, a block at a time where they come so; the file appears when it is complete.
 
     Parameters
@@ -85,7 +85,7 @@ class _Counted:
             yield checked
 
 
-def check_point_file(path: str | Path) -> Path:
+def check_point_file(path: AnyPath) -> Path:
     """A path `write_points` can write to, told before long work."""
     target = as_path(path)
     if target.suffix.lower() not in _WRITERS:
@@ -94,7 +94,7 @@ def check_point_file(path: str | Path) -> Path:
     return target
 
 
-def read_points(path: str | Path, box: Box | None = None) -> PointSet:
+def read_points(path: AnyPath, box: Box | None = None) -> PointSet:
     """Read points: the first two columns, or those called x and y.
 
     Parameters

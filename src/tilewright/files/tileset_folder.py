@@ -4,10 +4,9 @@ The format is described in ``docs/tileset-folder.md``.
 """
 
 import os
-from pathlib import Path
 
 from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightTypeError
-from tilewright.files.atomic import MANIFEST, as_path, check_folder, whole_folder
+from tilewright.files.atomic import MANIFEST, AnyPath, as_path, check_folder, whole_folder
 from tilewright.files.manifest import find_objection, read_head, read_manifest
 from tilewright.files.points_folder import PointManifest, read_point_tiles, write_point_tiles
 from tilewright.files.texture_folder import TextureManifest, read_texture, write_texture
@@ -15,7 +14,7 @@ from tilewright.signals.points import PointTiles
 from tilewright.signals.textures import TextureTiles
 
 
-def save(material: TextureTiles | PointTiles, folder: str | Path) -> None:
+def save(material: TextureTiles | PointTiles, folder: AnyPath) -> None:
     """Write texture tiles or point tiles to a folder, whole or not at all.
 
     A folder that holds a tile set and nothing else is replaced; any other one that is not empty is
@@ -37,12 +36,12 @@ def save(material: TextureTiles | PointTiles, folder: str | Path) -> None:
             write_point_tiles(unfinished, material)
 
 
-def check_savable(folder: str | Path) -> None:
+def check_savable(folder: AnyPath) -> None:
     """Raise what `save` would raise before it writes anything, so that it is known before long work."""
     check_folder(as_path(folder), find_objection)
 
 
-def load(folder: str | Path) -> TextureTiles | PointTiles:
+def load(folder: AnyPath) -> TextureTiles | PointTiles:
     """Read a tile set from a folder, every file checked against its checksum.
 
     Raises
@@ -72,7 +71,7 @@ def load(folder: str | Path) -> TextureTiles | PointTiles:
         ) from None
 
 
-def load_texture(folder: str | Path) -> TextureTiles:
+def load_texture(folder: AnyPath) -> TextureTiles:
     """`load`, if the folder holds texture tiles."""
     material = load(folder)
     if not isinstance(material, TextureTiles):
@@ -80,7 +79,7 @@ def load_texture(folder: str | Path) -> TextureTiles:
     return material
 
 
-def load_points(folder: str | Path) -> PointTiles:
+def load_points(folder: AnyPath) -> PointTiles:
     """`load`, if the folder holds point tiles."""
     tiles = load(folder)
     if not isinstance(tiles, PointTiles):

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import check_choice, check_function_of_place, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.pixels import mean_gray, white
+from tilewright.pixels import as_pixels, mean_gray, white
 from tilewright.tiles import CORNER, CORNER_CODED, TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.algorithms import Lattice, Slots, corner_slots, evaluate
@@ -104,9 +104,9 @@ def density_tiling(
         Cohen's 8).
     density : function or 2D array
         ``density(x, y)`` of lattice points, two float64 arrays of one shape, that answers the probability
-        of each, 0 to 1, in an array of that shape; or a gray map, shape (h, w) or (h, w, channels), whose
-        colors are averaged and alpha ignored: floats 0 to 1, or integers of their type's range. Pixel (0, 0)
-        of a map covers the cells from (0, 0).
+        of each, 0 to 1, in an array of that shape; or a gray map, an array of shape (h, w) or
+        (h, w, channels) or a Pillow image, whose colors are averaged and alpha ignored: floats 0 to 1, or
+        integers of their type's range. Pixel (0, 0) of a map covers the cells from (0, 0).
     seed : int
     cells_per_pixel : float
         Size of a map's pixels in cells; values between pixel centers are interpolated.
@@ -133,7 +133,7 @@ def density_tiling(
 
 def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
     try:
-        map_ = np.asarray(given)
+        map_ = np.asarray(as_pixels("density", given))
     except ValueError:
         raise TilewrightValueError("the density map is not a table of equally long rows") from None
     if map_.ndim == 2:

@@ -14,7 +14,7 @@ from tilewright.analysis.points.laid_tiles import PLATE_POINTS, SPECTRUM_POINTS
 from tilewright.analysis.points.report import PointReport, analyze_points, save_comparison
 from tilewright.checks import check_choice, check_int
 from tilewright.errors import Cancelled, Progress, TilewrightError, TilewrightTypeError
-from tilewright.files.atomic import as_path, check_folder, whole_folder
+from tilewright.files.atomic import AnyPath, as_path, check_folder, whole_folder
 from tilewright.samplers.point_set import PointSet
 
 _SETS = 10
@@ -76,7 +76,7 @@ class Comparison:
             for row in self.rows
         ]
 
-    def save(self, folder: str | Path) -> None:
+    def save(self, folder: AnyPath) -> None:
         """Write ``comparison.md``, ``comparison.json`` and pictures of six methods each to a folder.
 
         A folder that holds a comparison is replaced; any other one that is not empty is refused.
@@ -154,7 +154,7 @@ def compare(
     return Comparison(rows, reports)
 
 
-def check_comparison_folder(folder: str | Path) -> None:
+def check_comparison_folder(folder: AnyPath) -> None:
     """Raise what `Comparison.save` would, before the work is done."""
     check_folder(as_path(folder), _objection)
 

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import inf, sqrt
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,7 +19,7 @@ from tilewright.analysis.points.spacing import (
 from tilewright.analysis.points.spectrum import Spectrum, power_spectrum
 from tilewright.analysis.sheets import check_sheet
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import whole_file
+from tilewright.files.atomic import AnyPath, whole_file
 from tilewright.samplers.point_set import PointSet
 
 if TYPE_CHECKING:
@@ -107,7 +106,7 @@ class PointReport:
             words.text(place, 0.95, "\n".join(part), family="monospace", fontsize=9, va="top")
         return figure
 
-    def save_sheet(self, path: str | Path) -> None:
+    def save_sheet(self, path: AnyPath) -> None:
         """Write the sheet as a picture: PNG, JPEG, SVG or PDF."""
         _save(path, self.sheet)
 
@@ -196,7 +195,7 @@ def comparison_sheet(reports: Sequence[PointReport]) -> "Figure":
     return figure
 
 
-def save_comparison(reports: Sequence[PointReport], path: str | Path) -> None:
+def save_comparison(reports: Sequence[PointReport], path: AnyPath) -> None:
     """Write a `comparison_sheet` as a picture: PNG, JPEG, SVG or PDF."""
     given = _check_reports(reports)
     _save(path, lambda: comparison_sheet(given))
@@ -210,7 +209,7 @@ def _check_reports(reports: Sequence[PointReport]) -> list[PointReport]:
     return list(reports)
 
 
-def _save(path: str | Path, make: Callable[[], "Figure"]) -> None:
+def _save(path: AnyPath, make: Callable[[], "Figure"]) -> None:
     target = check_sheet(path)
     with whole_file(target) as unfinished:
         make().savefig(unfinished, dpi=160, format=target.suffix[1:].lower())

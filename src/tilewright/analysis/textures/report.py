@@ -1,7 +1,6 @@
 """All figures of a tile set, and a sheet of pictures to judge it by eye."""
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,7 +17,7 @@ from tilewright.analysis.textures.seams import (
 )
 from tilewright.analysis.textures.structure import seam_novelty, used_share
 from tilewright.errors import Progress, TilewrightTypeError
-from tilewright.files.atomic import whole_file
+from tilewright.files.atomic import AnyPath, whole_file
 from tilewright.pixels import as_rgb
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
@@ -98,7 +97,7 @@ class Report:
         axes[-1].text(0, 1, str(self), family="monospace", fontsize=7, va="top", transform=axes[-1].transAxes)
         return figure
 
-    def save_sheet(self, path: str | Path) -> None:
+    def save_sheet(self, path: AnyPath) -> None:
         """Write the sheet as a picture: PNG, JPEG, SVG or PDF."""
         path = check_sheet(path)
         with whole_file(path) as unfinished:

@@ -1,7 +1,6 @@
 """Flows as pictures: animations of dots with fading trails, and heat maps of where particles are."""
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,7 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_int, check_progress, check_real
 from tilewright.errors import Progress, TilewrightTypeError
-from tilewright.files.atomic import as_path, whole_file
+from tilewright.files.atomic import AnyPath, as_path, whole_file
 from tilewright.flows.flow import Flow
 from tilewright.pixels import read_hex
 
@@ -32,7 +31,7 @@ _FADE = 12
 
 
 def save_animation(
-    path: str | Path,
+    path: AnyPath,
     flow: Flow,
     *,
     size: int | None = None,

@@ -6,7 +6,6 @@ mirrored fits nowhere.
 """
 
 import base64
-import os
 from collections.abc import Iterator
 
 import numpy as np
@@ -16,7 +15,7 @@ from tilewright.checks import check_choice, check_real
 from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
 from tilewright.export.drawing.svg import document, element, path_of, text
 from tilewright.export.drawing.tiles import color_of
-from tilewright.files.atomic import as_path
+from tilewright.files.atomic import AnyPath, as_path
 from tilewright.files.images import read_image
 from tilewright.tiles import CORNER, WANG
 from tilewright.tilings import Tiling
@@ -104,7 +103,7 @@ def draw_jigsaw(
     tiling: Tiling,
     *,
     piece: float = 30,
-    picture: str | os.PathLike[str] | None = None,
+    picture: AnyPath | None = None,
     engrave: str = "none",
 ) -> str:
     """A jigsaw puzzle as an SVG drawing in millimeters (Lagae 2007, section 5.5.4).
@@ -183,7 +182,7 @@ def _number_marks(puzzle: Jigsaw) -> Iterator[str]:
         )  # fmt: skip
 
 
-def _picture(path: str | os.PathLike[str] | None, width: float, height: float) -> Iterator[str]:
+def _picture(path: AnyPath | None, width: float, height: float) -> Iterator[str]:
     """The file's bytes as an image that fills the sheet."""
     if path is None:
         return

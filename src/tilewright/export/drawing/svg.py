@@ -1,6 +1,5 @@
 """The few parts of SVG that drawings are made of."""
 
-import os
 from collections.abc import Iterable
 from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
@@ -8,7 +7,7 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import as_path, whole_file
+from tilewright.files.atomic import AnyPath, as_path, whole_file
 
 
 def element(tag: str, *content: str, **attributes: str | float) -> str:
@@ -45,7 +44,7 @@ def document(body: Iterable[str], width: float, height: float, *, unit: str = ""
     )
 
 
-def save_svg(path: str | os.PathLike[str], drawing: str) -> Path:
+def save_svg(path: AnyPath, drawing: str) -> Path:
     """Write a drawing to a file that ends in .svg, whole or not at all.
 
     Parameters

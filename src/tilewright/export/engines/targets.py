@@ -7,7 +7,7 @@ from pathlib import Path
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightTypeError
 from tilewright.export.engines.folder import Kit, find_objection, prepare
-from tilewright.files.atomic import whole_folder
+from tilewright.files.atomic import AnyPath, whole_folder
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
 
@@ -28,7 +28,7 @@ TARGETS = (
 """What `save_for_engine` writes for."""
 
 
-def save_for_engine(material: TextureTiles, folder: str | Path, to: str, *, seed: int = 0) -> None:
+def save_for_engine(material: TextureTiles, folder: AnyPath, to: str, *, seed: int = 0) -> None:
     """Write a folder that shows an endless texture in an engine or another program.
 
     It holds the textures with their mip levels in the form that the target takes, the shader in its

@@ -18,7 +18,7 @@ from tilewright.export.viewer.parts import fill, part, shader
 from tilewright.export.viewer.pictures import describe_map
 from tilewright.export.viewer.sets import BAKED_CELLS, describe_set, is_baked
 from tilewright.fields.photos.contenders import SideBySide
-from tilewright.files.atomic import as_path, check_file, whole_file
+from tilewright.files.atomic import AnyPath, as_path, check_file, whole_file
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
 
@@ -27,7 +27,7 @@ _SHADERS = ("plane.frag", "mip.frag", "lattice.glsl", "tiles.glsl")
 
 
 def save_viewer(
-    material: TextureTiles, path: str | Path, *, seed: int = 0, compare: SideBySide | None = None
+    material: TextureTiles, path: AnyPath, *, seed: int = 0, compare: SideBySide | None = None
 ) -> None:
     """Write a page that shows an endless texture: pan, zoom, tilt, and compare with other methods.
 
@@ -72,7 +72,7 @@ def save_viewer(
         unfinished.write_text(page, encoding="utf-8")
 
 
-def check_page(path: str | Path) -> Path:
+def check_page(path: AnyPath) -> Path:
     """Where a page can be written; an error where not, before the work is done."""
     path = as_path(path)
     if path.suffix.lower() not in (".html", ".htm"):

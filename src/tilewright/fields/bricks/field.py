@@ -1,6 +1,5 @@
 """A wall as a field: its color, relief and bricks at any pixel of an endless plane."""
 
-import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueErro
 from tilewright.fields.bricks.patterns import SIZE, BrickPattern, Bricks, RegionBricks, WangBricks
 from tilewright.fields.bricks.relief import MARGIN, light
 from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
-from tilewright.files.atomic import as_path, whole_folder
+from tilewright.files.atomic import AnyPath, as_path, whole_folder
 from tilewright.signals.bricks.painting import CHANCES, paint
 from tilewright.signals.bricks.style import BrickStyle, tint_bricks
 from tilewright.tilings import Domain, MixerHash, Tiling
@@ -129,7 +128,7 @@ class BrickField(PixelField):
 
     def save(
         self,
-        path: str | os.PathLike[str],
+        path: AnyPath,
         x: int = 0,
         y: int = 0,
         width: int = 1024,

@@ -5,6 +5,7 @@ These are the methods that tiles are compared with; `tilewright.compare_textures
 
 from abc import abstractmethod
 from collections.abc import Mapping
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 
 from tilewright.fields.photos.gaussian import gaussianize
 from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
+from tilewright.files.images import open_picture
 from tilewright.pixels import LUMA
 from tilewright.signals.textures.exemplar import check_map
 from tilewright.signals.textures.kinds import from_values, to_values
@@ -31,7 +33,7 @@ class PhotoField(PixelField):
 
     Parameters
     ----------
-    photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
+    photo : path, Pillow image, or array of shape (h, w, channels) or (h, w), uint8, uint16 or float32
     kind : str
         What it holds: see `tilewright.signals.textures.kinds.KINDS`.
 
@@ -44,8 +46,9 @@ class PhotoField(PixelField):
     lattice: NDArray[np.int64]
     reach = (_REACH, _REACH)
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color") -> None:
-        self.photo = check_map("photo", photo)
+    def __init__(self, photo: Any, kind: str = "color") -> None:
+        opened = open_picture("photo", photo) if isinstance(photo, str | PathLike) else photo
+        self.photo = check_map("photo", opened)
         self.kind = kind
 
     @property
@@ -73,7 +76,7 @@ class PhotoField(PixelField):
 class RepeatField(PhotoField):
     """The photograph laid side by side, as it is."""
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color") -> None:
+    def __init__(self, photo: Any, kind: str = "color") -> None:
         super().__init__(photo, kind)
         h, w = self.photo.shape[:2]
         self.lattice = np.array([[w, 0], [0, h]])
@@ -114,7 +117,7 @@ class BlendField(PhotoField):
         The first place, and how many, that the middle of a patch may have in x and in y.
     """
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
+    def __init__(self, photo: Any, kind: str = "color", *, seed: int = 0) -> None:
         super().__init__(photo, kind)
         self.hash = MixerHash(seed)
         self.edge, self.row = triangle_grid(self.photo.shape[:2])
@@ -179,7 +182,7 @@ class HexField(BlendField):
     light. No pre-step, no table.
     """
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
+    def __init__(self, photo: Any, kind: str = "color", *, seed: int = 0) -> None:
         super().__init__(photo, kind, seed=seed)
         self._values = to_values(self.photo, kind)
 
@@ -202,7 +205,7 @@ class NoiseField(BlendField):
     root of the sum of squared weights, which keeps their variance; a table leads back.
     """
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
+    def __init__(self, photo: Any, kind: str = "color", *, seed: int = 0) -> None:
         super().__init__(photo, kind, seed=seed)
         self._low, self._high = _bounds(self.photo)
         self.gaussian = gaussianize((self.photo - self._low) / (self._high - self._low))

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.pixels import as_pixels
 from tilewright.signals.textures.kinds import KINDS, guess_kind, is_normal
 
 Maps = dict[str, NDArray[Any]]
@@ -127,7 +128,7 @@ def _check_source(number: int, source: Maps) -> Maps:
 
 def check_map(what: str, given: Any) -> NDArray[Any]:
     """Pixels a texture can be made from, shape (h, w, channels); ``what`` they are, for messages."""
-    pixels = np.asarray(given)
+    pixels = np.asarray(as_pixels(what, given))
     if pixels.dtype == np.float64 or pixels.dtype == np.float16:
         with np.errstate(over="ignore"):  # what does not fit is refused below
             pixels = pixels.astype(np.float32)

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from tilewright.checks import check_int, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.pixels import LUMINANCE, white, without_alpha
+from tilewright.pixels import LUMINANCE, as_pixels, white, without_alpha
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.hashes import MixerHash
 
@@ -64,7 +64,7 @@ def start_from_image(
 
     Parameters
     ----------
-    pixels : array-like, shape (h, w) or (h, w, channels)
+    pixels : array-like, shape (h, w) or (h, w, channels), or Pillow image
         Grays or sRGB colors; integers over their type's range, floats from 0 to 1. Alpha is left out.
     width, height : int
         Cells; the picture is averaged over each, stretched where the sides have another ratio.
@@ -112,7 +112,7 @@ def _squeeze(brightness: np.ndarray, conditions: Conditions) -> np.ndarray:
 def _gray(pixels: ArrayLike) -> np.ndarray:
     """Brightness from 0 to 1 as float32."""
     try:
-        given = np.asarray(pixels)
+        given = np.asarray(as_pixels("pixels", pixels))
     except ValueError:
         raise TilewrightValueError("pixels are not equally long rows") from None
     if given.dtype.kind not in "uif" or given.ndim not in (2, 3) or given.size == 0:
