@@ -12,6 +12,7 @@ from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueErro
 from tilewright.files.atomic import AnyPath, as_path
 from tilewright.files.image_streams import stream_image
 from tilewright.files.images import check_writable
+from tilewright.showing import Shown, describe, many
 from tilewright.tilings import Domain
 
 LARGEST_SIDE = 2**31 - 1
@@ -58,7 +59,7 @@ class PixelWindow(NamedTuple):
                 yield PixelWindow(self.x + left, self.y + top, width, height), at
 
 
-class PixelField(ABC):
+class PixelField(Shown, ABC):
     """Pixels of one or more maps at any place of a plane.
 
     A field never changes and holds no state of what was asked, so windows may be rendered in any order, by
@@ -92,6 +93,11 @@ class PixelField(ABC):
     @abstractmethod
     def _paint(self, window: PixelWindow, outs: Mapping[str, NDArray[Any]]) -> None:
         """Fill the pixels of a window of each map into its C-contiguous array."""
+
+    def __repr__(self) -> str:
+        main, *others = self.maps
+        shown = f"{main} ({self.dtype}, {many(self.channels, 'channel')})"
+        return describe(self, shown, *others, str(self.domain))
 
     @property
     def main(self) -> str:

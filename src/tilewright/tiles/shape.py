@@ -6,7 +6,9 @@ side: west, north, top). Everything that lays or checks tiles works from the joi
 tiles, corner tiles and sets with both need no separate code.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 Joint = tuple[tuple[int, int], ...]
 """Pairs (slot of this tile, slot of the next tile along the axis) that must carry one color."""
@@ -38,6 +40,15 @@ class Shape:
     def slot(self, name: str) -> int:
         """Number of the slot called ``name``."""
         return self.slots.index(name)
+
+    def __reduce__(self) -> tuple[Callable[..., "Shape"], tuple[Any, ...]]:
+        # Shapes are told by identity, so one that comes from another process must be the one here.
+        return _find_shape, (self.name, self.slots, self.joints)
+
+
+def _find_shape(name: str, slots: tuple[str, ...], joints: tuple[Joint, ...]) -> Shape:
+    given = Shape(name, slots, joints)
+    return next((known for known in _SHAPES if known == given), given)
 
 
 def _joints(slots: tuple[str, ...], *axes: str) -> tuple[Joint, ...]:
@@ -74,3 +85,4 @@ CORNER_CUBE = Shape(
         "NED-NEU SED-SEU SWD-SWU NWD-NWU",
     ),
 )
+_SHAPES = (WANG, CORNER, CORNER_CODED, DOMINO, WANG_CUBE, CORNER_CUBE)

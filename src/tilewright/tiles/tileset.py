@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import as_integers, check_int
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.showing import Shown
 from tilewright.tiles.shape import Shape
 
 MOST_COLORS = 2**15
@@ -24,7 +25,7 @@ def check_colors(value: int, low: int = 1, name: str = "colors") -> int:
     return check_int(name, value, low, MOST_FAMILY_COLORS)
 
 
-class TileSet:
+class TileSet(Shown):
     """A finite set of tiles of one shape.
 
     Parameters

@@ -47,6 +47,14 @@ class Domain:
         wrapped = sum(p is not None for p in self.periods)
         return "plane" if wrapped == 0 else "torus" if wrapped == len(self.periods) else "cylinder"
 
+    def __str__(self) -> str:
+        """``plane``, ``torus 3 x 5``, ``cylinder 3 x endless``, ``rectangle 0 to 8 x 0 to 6``."""
+        if self.kind == "plane":
+            return "plane"
+        axes = zip(self.bounds, self.periods, strict=True)
+        sides = (f"{b[0]} to {b[1] - 1}" if b else "endless" if p is None else str(p) for b, p in axes)
+        return f"{self.kind} {' x '.join(sides)}"
+
     def scaled(self, *units: int) -> "Domain":
         """The same domain counted in parts of a cell, of which ``units`` make a cell along each axis."""
         periods = tuple(None if p is None else p * u for p, u in zip(self.periods, units, strict=True))

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.checks import as_integers, check_int
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.seeds import check_seed
+from tilewright.showing import describe
 from tilewright.tiles.tileset import MOST_COLORS, slot_type
 
 Coordinates = NDArray[np.int64]
@@ -30,6 +31,10 @@ class LatticeHash(ABC):
     name: str
     period: int | None
     """Period along every axis, or None where there is none within 64-bit coordinates."""
+    seed: int | np.int64
+
+    def __repr__(self) -> str:
+        return describe(self, f"seed {int(self.seed) % 2**64}")
 
     @abstractmethod
     def words(
@@ -241,6 +246,7 @@ class LongPeriodHash(LatticeHash):
             )
         if range not in sizes:
             raise TilewrightValueError(f"range is {range}; it must be one of the sizes {tuple(sizes)}")
+        self.seed = check_seed(seed)
         self.parts = tuple(PermutationHash(seed, size) for size in sizes)
         self._range = range
 

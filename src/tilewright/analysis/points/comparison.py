@@ -16,6 +16,7 @@ from tilewright.checks import check_choice, check_int
 from tilewright.errors import Cancelled, Progress, TilewrightError, TilewrightTypeError
 from tilewright.files.atomic import AnyPath, as_path, check_folder, whole_folder
 from tilewright.samplers.point_set import PointSet
+from tilewright.showing import describe_record
 
 _SETS = 10
 _SHARE = 12.0
@@ -57,6 +58,8 @@ class Comparison:
 
     rows: list[dict[str, Any]]
     reports: list[PointReport] = field(default_factory=list)
+
+    __repr__ = describe_record
 
     def table(self) -> str:
         """A Markdown table of all that ran, and a line for each that did not."""

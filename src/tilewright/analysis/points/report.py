@@ -21,6 +21,7 @@ from tilewright.analysis.sheets import check_sheet
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
 from tilewright.files.atomic import AnyPath, whole_file
 from tilewright.samplers.point_set import PointSet
+from tilewright.showing import describe_record
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -80,6 +81,8 @@ class PointReport:
     spectrum: Spectrum
     distribution: RadialDistribution
     plate: ZonePlate | None
+
+    __repr__ = describe_record
 
     def __str__(self) -> str:
         lines = []

@@ -20,6 +20,7 @@ from tilewright.errors import Progress, TilewrightTypeError
 from tilewright.files.atomic import AnyPath, whole_file
 from tilewright.pixels import as_rgb
 from tilewright.seeds import check_seed
+from tilewright.showing import describe_record
 from tilewright.signals.textures import TextureTiles
 
 if TYPE_CHECKING:
@@ -56,6 +57,8 @@ class Report:
 
     figures: dict[str, float]
     sample: Sample
+
+    __repr__ = describe_record
 
     def __str__(self) -> str:
         lines = []

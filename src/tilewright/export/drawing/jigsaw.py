@@ -17,6 +17,7 @@ from tilewright.export.drawing.svg import document, element, path_of, text
 from tilewright.export.drawing.tiles import color_of
 from tilewright.files.atomic import AnyPath, as_path
 from tilewright.files.images import read_image
+from tilewright.showing import describe
 from tilewright.tiles import CORNER, WANG
 from tilewright.tilings import Tiling
 
@@ -61,6 +62,9 @@ class Jigsaw:
     Opposite sides of the board fit together too, so the whole picture can be moved around the torus; a frame
     that fits the board keeps it together.
     """
+
+    def __repr__(self) -> str:
+        return describe(self, f"{self.width} x {self.height} pieces of {self.piece:g} mm", repr(self.tiling))
 
     def __init__(self, tiling: Tiling, piece: float = 30) -> None:
         self.width, self.height = _check_tiling(tiling)

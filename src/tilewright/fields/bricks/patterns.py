@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightTypeError
 from tilewright.fields.plane import PixelWindow, check_pixel_window
+from tilewright.showing import describe
 from tilewright.signals.bricks.edges import check_traversed, find_thinnest, place_positions
 from tilewright.tilings import Domain, Tiling
 from tilewright.tilings.bricks import BrickRegion
@@ -62,6 +63,10 @@ class BrickPattern(ABC):
     course: int
     thinnest: int
     domain: Domain
+
+    def __repr__(self) -> str:
+        width, height = self.unit
+        return describe(self, f"units of {width} x {height} pixels", str(self.domain))
 
     def bricks(self, x: int, y: int, width: int, height: int) -> Bricks:
         """All bricks that touch a window of pixels; pixel (0, 0) is the north-west one of unit (0, 0)."""

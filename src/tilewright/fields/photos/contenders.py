@@ -10,6 +10,7 @@ from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueErro
 from tilewright.fields.photos.methods import HexField, NoiseField, PhotoField, RepeatField
 from tilewright.fields.plane import PixelField
 from tilewright.fields.textures import TextureField
+from tilewright.showing import describe
 from tilewright.signals.textures import TextureTiles
 from tilewright.tiles import corner_tiles, wang_tiles
 from tilewright.tilings import stochastic
@@ -65,6 +66,9 @@ class SideBySide:
     seed: int
     contenders: dict[str, Contender]
     figures: dict[str, dict[str, float]] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        return describe(self, *self.contenders, f"seed {self.seed}", repr(self.material))
 
     @property
     def photo(self) -> NDArray[Any]:

@@ -12,9 +12,10 @@ from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.fields.agreement import check_agreement
 from tilewright.fields.points.nearest import NearestSearch
 from tilewright.fields.points.thinning import Density, draw_lowest, share_out
-from tilewright.fields.points.window import MOST_POINTS, PointWindow, View, Window
+from tilewright.fields.points.window import MOST_POINTS, PointWindow, View, Window, check_out, make_out
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.point_set import PointSet
+from tilewright.showing import Shown, describe
 from tilewright.signals.points import PointTiles
 from tilewright.tilings import MixerHash, Tiling
 from tilewright.tilings.density import evaluate_density
@@ -26,7 +27,7 @@ _VARIANTS = 6
 _BLOCK_POINTS = 2**22
 
 
-class PointField:
+class PointField(Shown):
     """Point tiles laid by a tiling.
 
     Parameters
@@ -48,6 +49,9 @@ class PointField:
         counts = tiles.counts
         self._same = int(counts[0]) if (counts == counts[0]).all() else 0
         self._bits = max(int(counts.max()) - 1, 1).bit_length()
+
+    def __repr__(self) -> str:
+        return describe(self, repr(self.tiles), repr(self.tiling))
 
     def points(
         self,
@@ -310,13 +314,13 @@ class PointField:
         if function is not None:
             check_function_of_place("density", function)
         if out is not None:
-            _check_out(out, 0)
+            check_out(out, 0)
         rank = _check_share(density) if function is None else 1.0
         named = named or function is not None
         whole = view.window.is_whole and self._same > 0 and rank >= 1 and not named
         counts = None if whole else self._counts(view, rank)
         n = view.cells.size * self._same if counts is None else int(counts.sum())
-        target = _check_out(out, n) if function is None else _make_out(n)
+        target = check_out(out, n) if function is None else make_out(n)
         kinds = (target.dtype,) if out is None else (target.dtype, out.dtype)
         x0, y0 = view.window.origin(local, kinds, self._spacing)
         names = np.zeros((n if named else 0, 3), np.int64)
@@ -331,7 +335,7 @@ class PointField:
             return target, names
         kept = self._ranks_of(view, names) < evaluate_density(function, *target.T)
         if out is not None:
-            kept_out = _check_out(out, int(kept.sum()))
+            kept_out = check_out(out, int(kept.sum()))
             kept_out[...] = target[kept]
             return kept_out, names[kept]
         return target[kept], names[kept]
@@ -367,31 +371,3 @@ class PointField:
 
 def _check_share(density: Any) -> float:
     return check_real("density", density, 0.0, 1.0)
-
-
-def _make_out(n: int) -> NDArray[np.float64]:
-    try:
-        return np.empty((n, 2))
-    except MemoryError:
-        raise TilewrightValueError(
-            f"{n} points do not fit in memory; blocks() gives them a piece at a time"
-        ) from None
-
-
-def _check_out(out: Any, n: int) -> NDArray[Any]:
-    if out is None:
-        return _make_out(n)
-    if type(out) is not np.ndarray:
-        raise TilewrightTypeError(f"out must be an array, not {type(out).__name__}")
-    if (
-        out.ndim != 2
-        or out.shape[1] != 2
-        or len(out) < n
-        or out.dtype not in (np.float32, np.float64)
-        or not (out.flags.c_contiguous and out.flags.writeable)
-    ):
-        raise TilewrightValueError(
-            f"out is {out.dtype} {out.shape}, C-contiguous: {out.flags.c_contiguous}, writable: "
-            f"{out.flags.writeable}; expected float32 or float64 (at least {n}, 2), C-contiguous and writable"
-        )
-    return out[:n]

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tilewright.checks import check_choice, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.pixels import as_pixels
+from tilewright.showing import describe
 from tilewright.signals.textures.kinds import KINDS, guess_kind, is_normal
 
 Maps = dict[str, NDArray[Any]]
@@ -49,6 +50,10 @@ class Exemplar:
     masks: tuple[NDArray[np.bool_], ...]
     weights: dict[str, float]
     kinds: dict[str, str]
+
+    def __repr__(self) -> str:
+        sizes = (f"{m.shape[1]} x {m.shape[0]}" for m in (next(iter(s.values())) for s in self.sources))
+        return describe(self, f"{' and '.join(sizes)} pixels", *(f"{n} ({k})" for n, k in self.kinds.items()))
 
     def __init__(
         self,

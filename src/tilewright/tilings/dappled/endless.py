@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.checks import check_function_of_place, check_real
 from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
+from tilewright.showing import describe
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Most, as_cells
 from tilewright.tilings.dappled.surgery import is_remark
 from tilewright.tilings.domain import Domain
@@ -22,6 +23,10 @@ Start = float | Callable[[NDArray[np.int64], NDArray[np.int64]], ArrayLike]
 
 class EndlessDappledTiling:
     """A dappled tiling of the plane with two tiles; made by `endless_dappled_tiling`."""
+
+    def __repr__(self) -> str:
+        start = "function" if callable(self.start) else f"{self.start:g}"
+        return describe(self, repr(self.conditions), f"start {start}", f"seed {int(self.seed) % 2**64}")
 
     def __init__(self, conditions: Conditions, start: Start, seed: int) -> None:
         self.conditions = conditions
