@@ -140,6 +140,12 @@ from .fields import (
     NoiseField as NoiseField,
 )
 from .fields import (
+    PixelField as PixelField,
+)
+from .fields import (
+    PixelMap as PixelMap,
+)
+from .fields import (
     PointField as PointField,
 )
 from .fields import (
