@@ -160,6 +160,11 @@ def test_arrays_are_what_numpy_sees():
         np.asarray(handmade(TILES, 16, maps=2))
 
 
+def test_pictures_can_be_asked_for():
+    assert tw.paint_png(TILES) == TILES._repr_png_()
+    assert tw.paint_png("something else") is None
+
+
 def test_painters_load_with_the_first_picture(monkeypatch):
     code = (
         "import sys; import tilewright as tw; tiles = tw.corner_tiles(2); repr(tiles); "

@@ -12,14 +12,13 @@ from tilewright import showing
 
 __version__ = "0.1.0"
 
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
 
 def _paint(thing: Any) -> bytes | None:
     """The picture of a thing for notebooks, whose painters load with the first one."""
-    from tilewright.notebook import paint_png
-
-    return paint_png(thing)
+    png: bytes | None = __getattr__("paint_png")(thing)
+    return png
 
 
 showing.painter = _paint
-
-__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -211,6 +211,9 @@ from .jobs import (
 from .jobs import (
     texture_tiles as texture_tiles,
 )
+from .notebook import (
+    paint_png as paint_png,
+)
 from .samplers import (
     Box as Box,
 )

@@ -149,7 +149,8 @@ def _dots(
     """Points of a rectangle as black dots on white, drawn four times as large and made smaller."""
     from PIL import Image, ImageDraw
 
-    at, (width, height) = np.asarray(points, np.float64) - corner, np.asarray(extent, np.float64)
+    at = np.asarray(points, np.float64) - np.asarray(corner, np.float64)
+    width, height = np.asarray(extent, np.float64)
     scale = min(WIDTH / width, HEIGHT / height)
     size = max(1, round(width * scale)), max(1, round(height * scale))
     radius = min(_DOT, (_SPARE * size[0] * size[1] / (np.pi * max(len(at), 1))) ** 0.5)

@@ -41,7 +41,7 @@ class LatticeHash(ABC):
     name: str
     period: int | None
     """Period along every axis, or None where there is none within 64-bit coordinates."""
-    seed: int | np.int64
+    seed: Any
 
     def __repr__(self) -> str:
         return describe(self, f"seed {int(self.seed) % 2**64}")

@@ -120,8 +120,8 @@ class BrickField(PixelField):
         self.look = self.style.fit(self.pattern.course, self.pattern.thinnest)
         self.hash = MixerHash(seed)
         self.reach = self.pattern.reach
-        corner = (0 if bound is None else bound[0] for bound in self.domain.bounds)
-        self._has_holes = self.pattern.covers(*corner, 1, 1) is not None
+        x, y = (0 if bound is None else bound[0] for bound in self.domain.bounds)
+        self._has_holes = self.pattern.covers(x, y, 1, 1) is not None
 
     @property
     def domain(self) -> Domain:
