@@ -28,11 +28,11 @@ def on_paper(pixels: np.ndarray) -> np.ndarray:
 def maps(field: tw.BrickField) -> np.ndarray:
     """Strips of one window: light, color, height, normals, roughness, who is who."""
     strip = WIDTH // 6
-    found = field.render(30, 40, WIDTH, HEIGHT)
+    found = field.render_maps(30, 40, WIDTH, HEIGHT)
     gray = {name: np.repeat(found[name], 3, axis=2) for name in ("height", "roughness")}
     names = np.random.default_rng(2).integers(40, 256, (64, 64, 3))
     shown = (
-        field.preview(30, 40, WIDTH, HEIGHT),
+        field.render(30, 40, WIDTH, HEIGHT),
         found["color"],
         gray["height"] >> 8,
         found["normal"],
@@ -49,9 +49,9 @@ def main() -> None:
     gate = tw.BrickField(tw.brick_region(arch(), 3, seed=2), tw.BrickStyle("sandstone"), size=(40, 24))
     herringbone = tw.BrickField(tw.BondBricks("herringbone", (96, 32)), tw.BrickStyle("yellow"))
     panels = (
-        endless.preview(10**9, 0, WIDTH, HEIGHT),
-        on_paper(gate.preview(0, 0, WIDTH, HEIGHT)),
-        herringbone.preview(0, 0, WIDTH, HEIGHT),
+        endless.render(10**9, 0, WIDTH, HEIGHT),
+        on_paper(gate.render(0, 0, WIDTH, HEIGHT)),
+        herringbone.render(0, 0, WIDTH, HEIGHT),
         maps(endless),
     )
     sheet = Image.new("RGB", (2 * WIDTH + GAP, 2 * HEIGHT + GAP), "white")

@@ -37,8 +37,8 @@ def main() -> None:
         parts.axvline(k, color="0.8", lw=0.8, zorder=0)
     parts.set(xlim=(0, 4), ylim=(4, 0))
 
-    def share(at: np.ndarray) -> np.ndarray:
-        return np.clip(1 - np.hypot(at[:, 0] - 12, at[:, 1] - 8) / 14, 0.02, 1) ** 2
+    def share(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        return np.clip(1 - np.hypot(x - 12, y - 8) / 14, 0.02, 1) ** 2
 
     thinned = field.points(0, 0, 16, 16, density=share)
     ramp.scatter(*thinned.T, s=1.5, c="black", linewidths=0)

@@ -13,7 +13,7 @@ WIDTH, HEIGHT, GAP = 400, 300, 12
 
 def wall() -> np.ndarray:
     """Bricks in the sun."""
-    return tw.BrickField(tw.endless_brick_tiling(3, seed=3), tw.BrickStyle("red"), size=(96, 32)).preview(
+    return tw.BrickField(tw.endless_brick_tiling(3, seed=3), tw.BrickStyle("red"), size=(96, 32)).render(
         0, 0, WIDTH, HEIGHT
     )
 

@@ -4,8 +4,21 @@ The public names below load on first use, so that ``import tilewright`` stays fa
 neither numba nor scipy.
 """
 
+from typing import Any
+
 import lazy_loader
+
+from tilewright import showing
 
 __version__ = "0.1.0"
 
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
+
+
+def _paint(thing: Any) -> bytes | None:
+    """The picture of a thing for notebooks, whose painters load with the first one."""
+    png: bytes | None = __getattr__("paint_png")(thing)
+    return png
+
+
+showing.painter = _paint

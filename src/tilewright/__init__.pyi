@@ -140,6 +140,12 @@ from .fields import (
     NoiseField as NoiseField,
 )
 from .fields import (
+    PixelField as PixelField,
+)
+from .fields import (
+    PixelMap as PixelMap,
+)
+from .fields import (
     PointField as PointField,
 )
 from .fields import (
@@ -204,6 +210,9 @@ from .jobs import (
 )
 from .jobs import (
     texture_tiles as texture_tiles,
+)
+from .notebook import (
+    paint_png as paint_png,
 )
 from .samplers import (
     Box as Box,

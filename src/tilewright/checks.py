@@ -1,5 +1,6 @@
 """Checks of what callers give; each raises one clear line that names the argument."""
 
+import inspect
 import operator
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -7,7 +8,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError, brief
+from tilewright.errors import TilewrightTypeError, TilewrightValueError, brief, brief_text
 
 T = TypeVar("T")
 
@@ -69,6 +70,23 @@ def check_progress(progress: Any) -> None:
     """Refuse what cannot be called, before the work begins."""
     if progress is not None and not callable(progress):
         raise type_error("progress", progress, "a function or None")
+
+
+def check_function_of_place(name: str, given: Any) -> None:
+    """Refuse a function that cannot be called with x and y, before the work begins."""
+    try:
+        signature = inspect.signature(given)
+    except (TypeError, ValueError):  # some compiled functions do not tell
+        return
+    try:
+        signature.bind("x", "y")
+    except TypeError:
+        raise TilewrightTypeError(
+            f"must be a function of two arrays, x and y; this one takes {brief_text(str(signature))}",
+            argument=name,
+            value=given,
+            allowed="a function of two arrays, x and y",
+        ) from None
 
 
 def check_choice(name: str, value: Any, choices: tuple[str, ...]) -> str:

@@ -96,5 +96,10 @@ class Cancelled(TilewrightError):
 
 def brief(value: Any) -> str:
     """A value as one short line."""
-    words = " ".join(repr(value).split())
+    return brief_text(repr(value))
+
+
+def brief_text(text: str) -> str:
+    """A text as one short line."""
+    words = " ".join(text.split())
     return words if len(words) <= 80 else f"{words[:77]}..."

@@ -78,7 +78,7 @@ def test_texture_tiles_are_a_material_like_any_other(tmp_path):
 def test_texture_tiles_show_joints_where_walls_have_them():
     tiling, size = Draughtboard(3), 48
     style = plain(mortar=4)
-    walls = BrickField(WangBricks(tiling, (size, size)), style).render(0, 0, 240, 240)
+    walls = BrickField(WangBricks(tiling, (size, size)), style).render_maps(0, 0, 240, 240)
     tiles = brick_texture_tiles(tiling.tiles, style, tile_size=size)
     laid = TextureField(tiles, tiling).render(0, 0, 240, 240, map="height")[..., 0]
     assert np.corrcoef(laid.ravel(), walls["height"].ravel())[0, 1] > 0.98
@@ -87,7 +87,7 @@ def test_texture_tiles_show_joints_where_walls_have_them():
 def test_a_drawing_has_the_bricks_of_the_picture():
     field = BrickField(Draughtboard(), BrickStyle(mortar=5), size=SMALL)
     window = (-60, 1000, 200, 150)
-    ids = field.render(*window, maps=("id",))["id"].reshape(-1, 2)
+    ids = field.render(*window, map="id").reshape(-1, 2)
     pixels = {
         tuple(brick): int(n) for brick, n in zip(*np.unique(ids, axis=0, return_counts=True), strict=True)
     }
@@ -121,11 +121,11 @@ def test_lines_are_the_joints_each_of_them_once():
 def test_a_folder_holds_all_maps(tmp_path):
     field = BrickField(WALLS["wang"]())
     field.save(tmp_path / "wall", -20, 30, 70, 50)
-    maps = field.render(-20, 30, 70, 50)
+    maps = field.render_maps(-20, 30, 70, 50)
     pictures = {name: tw.read_image(tmp_path / "wall" / file) for name, file in FILES.items()}
     for name in ("color", "height", "normal", "roughness", "mortar"):
         assert np.array_equal(pictures[name], maps[name])
-    assert np.array_equal(pictures["preview"], field.preview(-20, 30, 70, 50))
+    assert np.array_equal(pictures["preview"], field.render(-20, 30, 70, 50))
     both = np.concatenate([pictures["id"], maps["id"]], axis=2).reshape(-1, 5)
     assert (
         len(np.unique(both, axis=0))
@@ -225,7 +225,7 @@ BAD = {
     "multiple of its height, 20": lambda: BondBricks("herringbone", (50, 20)),
     "closes after multiples of 6": lambda: BondBricks("herringbone", (48, 16), (2, 4)),
     "this pattern has a size": lambda: BrickField(BondBricks("herringbone"), size=(4, 4)),
-    "maps is 'colour'": lambda: BrickField(Draughtboard()).render(maps=["colour"]),
+    "maps is 'colour'": lambda: BrickField(Draughtboard()).render_maps(maps=["colour"]),
     "width is 0": lambda: BrickField(Draughtboard()).render(0, 0, 0, 5),
     "x is 92233720368547758080": lambda: BrickField(Draughtboard(), size=(40, 20)).render(
         2**61 * 40, 0, 5, 5

@@ -24,16 +24,16 @@ from walls import SMALL, WALLS, Draughtboard, plain
 def test_a_window_shows_what_any_other_shows(wall, monkeypatch):
     x, y = (-77, -31) if wall == "herringbone" else (10**15 + 7, -(10**15) - 5)
     field = BrickField(WALLS[wall](), seed=3)
-    whole = field.render(x, y, 90, 70)
+    whole = field.render_maps(x, y, 90, 70)
     assert set(whole) == set(MAPS)
     for left, top, width, height in ((13, 29, 71, 41), (89, 0, 1, 70)):
-        part = field.render(x + left, y + top, width, height)
+        part = field.render_maps(x + left, y + top, width, height)
         for name in MAPS:
             assert np.array_equal(part[name], whole[name][top : top + height, left : left + width]), name
-    lit = field.preview(x, y, 90, 70)
-    assert np.array_equal(field.preview(x + 20, y + 9, 33, 22), lit[9:31, 20:53])
-    monkeypatch.setattr("tilewright.fields.brick_field._BLOCK", 16 * 64)
-    for name, pixels in field.render(x, y, 90, 70).items():
+    lit = field.render(x, y, 90, 70)
+    assert np.array_equal(field.render(x + 20, y + 9, 33, 22), lit[9:31, 20:53])
+    monkeypatch.setattr("tilewright.fields.bricks.field._BLOCK", 16 * 64)
+    for name, pixels in field.render_maps(x, y, 90, 70).items():
         assert np.array_equal(pixels, whole[name]), name
 
 
@@ -52,7 +52,7 @@ def corner_at(tile, places, x, y):
 def test_each_pixel_belongs_to_the_brick_that_its_tile_says(count, size, x, y):
     tiling = Draughtboard(count)
     wall = WangBricks(tiling, size)
-    ids = BrickField(wall, plain(mortar=1)).render(x, y, 60, 50, maps=("id",))["id"]
+    ids = BrickField(wall, plain(mortar=1)).render(x, y, 60, 50, map="id")
     for j, i in product(range(0, 50, 3), range(60)):
         (cell_x, at_x), (cell_y, at_y) = divmod(x + i, size[0]), divmod(y + j, size[1])
         slots = tiling.tiles.slots[tiling.indices(cell_x, cell_y, 1, 1)[0, 0]]
@@ -106,11 +106,11 @@ def runs(row):
 @pytest.mark.parametrize("mortar", [1, 2, 3, 6, 9])
 def test_mortar_is_as_wide_as_asked(mortar):
     field = BrickField(BondBricks("running-bond", SMALL), plain(mortar=mortar))
-    joints = field.render(0, 0, 300, 200, maps=("mortar",))["mortar"][..., 0] > 0
+    joints = field.render(0, 0, 300, 200, map="mortar")[..., 0] > 0
     assert runs(joints[36]) == {mortar}
     assert runs(joints[:, 12]) == {mortar}
     worn = BrickField(BondBricks("running-bond", SMALL), BrickStyle(mortar=mortar))
-    uneven = worn.render(0, 0, 300, 200, maps=("mortar",))["mortar"][..., 0] > 0
+    uneven = worn.render(0, 0, 300, 200, map="mortar")[..., 0] > 0
     assert abs(uneven.mean() - joints.mean()) < 0.05
     assert mortar < 3 or (uneven != joints).any()
 
@@ -118,8 +118,8 @@ def test_mortar_is_as_wide_as_asked(mortar):
 @pytest.mark.parametrize("wall", ["wang", "herringbone"])
 def test_normals_are_those_of_the_heights(wall):
     field = BrickField(WALLS[wall](), BrickStyle(relief=5.0))
-    height = field.render(-9, 7, 150, 120)["height"][..., 0] * (5.0 / 65535)
-    normal = field.render(-8, 8, 148, 118)["normal"].astype(float)
+    height = field.render(-9, 7, 150, 120, map="height")[..., 0] * (5.0 / 65535)
+    normal = field.render(-8, 8, 148, 118, map="normal").astype(float)
     east, south = (height[1:-1, 2:] - height[1:-1, :-2]) / 2, (height[2:, 1:-1] - height[:-2, 1:-1]) / 2
     vectors = np.stack([-east, south, np.ones_like(east)], axis=-1)
     vectors /= np.linalg.norm(vectors, axis=-1, keepdims=True)
@@ -129,7 +129,7 @@ def test_normals_are_those_of_the_heights(wall):
 
 def test_bricks_stand_above_mortar_and_differ():
     field = BrickField(WALLS["wang"]())
-    maps = field.render(0, 0, 400, 300)
+    maps = field.render_maps(0, 0, 400, 300)
     joint = maps["mortar"][..., 0] > 0
     assert maps["height"][~joint].mean() > maps["height"][joint].mean() + 15000
     assert maps["roughness"][joint].mean() > maps["roughness"][~joint].mean()
@@ -159,7 +159,7 @@ def test_light_falls_from_the_north_west():
 
 
 def test_a_seed_makes_a_wall_and_another_one_another():
-    first, again, other = (BrickField(WALLS["wang"](), seed=s).render(0, 0, 60, 60) for s in (1, 1, 2))
+    first, again, other = (BrickField(WALLS["wang"](), seed=s).render_maps(0, 0, 60, 60) for s in (1, 1, 2))
     assert all(np.array_equal(first[name], again[name]) for name in MAPS)
     assert not any(np.array_equal(first[name], other[name]) for name in ("color", "height", "normal"))
     assert np.array_equal(first["id"], other["id"])
@@ -178,8 +178,8 @@ def test_a_seed_makes_a_wall_and_another_one_another():
 )  # fmt: skip
 def test_a_closed_wall_can_be_repeated(pattern, size):
     field = BrickField(pattern)
-    maps = field.render(-7, 11, *size)
-    for name, pixels in field.render(-7 + 3 * size[0], 11 - 5 * size[1], *size).items():
+    maps = field.render_maps(-7, 11, *size)
+    for name, pixels in field.render_maps(-7 + 3 * size[0], 11 - 5 * size[1], *size).items():
         assert np.array_equal(pixels, maps[name]), name
 
 
@@ -188,35 +188,35 @@ def test_a_wall_that_ends_is_cut_at_its_rim():
     part = BrickField(tw.array_tiling(brick_tiles(3), cells), size=SMALL)
     whole = BrickField(Draughtboard(), size=SMALL)
     width, height = 6 * SMALL[0], 5 * SMALL[1]
-    ours, theirs = part.render(0, 0, width, height), whole.render(0, 0, width, height)
+    ours, theirs = part.render_maps(0, 0, width, height), whole.render_maps(0, 0, width, height)
     assert np.array_equal(ours["id"], theirs["id"])
     inner = (slice(24, -24), slice(48, -48))
     assert np.array_equal(ours["color"][inner], theirs["color"][inner])
     assert not ours["mortar"][:, 0].all()
-    assert part.preview(0, 0, width, height).shape == (height, width, 3)
+    assert part.render(0, 0, width, height).shape == (height, width, 3)
     with pytest.raises(TilewrightError, match="x is 1; allowed are 0 to 0"):
-        part.render(1, 0, width, height)
+        part.render_maps(1, 0, width, height)
 
 
 def test_a_wall_with_holes_shows_them():
     y, x = np.mgrid[:7, :6]
     region = brick_region((y != 3) | (x < 2), 3, seed=1)
     field = BrickField(region, size=SMALL)
-    maps = field.render(0, 0, 288, 168)
+    maps = field.render_maps(0, 0, 288, 168)
     covered = np.kron(region.cells >= 0, np.ones(SMALL[::-1], bool))
     assert np.array_equal(maps["color"][..., 3] == 255, covered)
     assert np.array_equal((maps["id"] < 0).any(axis=2), ~covered)
-    assert np.array_equal(field.preview(0, 0, 288, 168)[..., 3] == 255, covered)
+    assert np.array_equal(field.render(0, 0, 288, 168)[..., 3] == 255, covered)
     for (cell_y, cell_x), tile in np.ndenumerate(region.cells):
         if tile >= 0:
             for at_x, at_y in product(range(2, 48, 9), range(2, 24, 5)):
                 corner = corner_at(region.tiles.slots[tile], field.pattern.places, at_x, at_y)
                 found = maps["id"][24 * cell_y + at_y, 48 * cell_x + at_x]
                 assert found.tolist() == [cell_x + corner[0], cell_y + corner[1]]
-    part = field.render(150, 70, 60, 50)
+    part = field.render_maps(150, 70, 60, 50)
     for name, pixels in part.items():
         assert np.array_equal(pixels, maps[name][70:120, 150:210]), name
-    assert not field.render(200, 75, 40, 20)["color"].any()
+    assert not field.render(200, 75, 40, 20, map="color").any()
     clip = ET.fromstring(draw_wall(field, 0, 0, 288, 168))[0][0].get("d")
     corners = np.array([[[float(n) for n in point.split()] for point in path.strip("Z").split("L")]
                         for path in clip[1:].split("M")])  # fmt: skip

@@ -151,8 +151,8 @@ def test_blocks_hold_what_the_window_holds(local, monkeypatch):
     monkeypatch.setattr(point_field, "_BLOCK_POINTS", 700)
     field = field_of("corner")
 
-    def share(points):
-        return np.clip(points[:, 0] / 30, 0, 1)
+    def share(x, y):
+        return np.clip(x / 30, 0, 1)
 
     for window in ((0, 0, 30, 9), (0.25, -2.5, 31.1, 8.2)):
         for density in (1.0, 0.4, share):
@@ -167,15 +167,46 @@ def test_blocks_hold_what_the_window_holds(local, monkeypatch):
 
 def test_a_density_function_thins_by_rank():
     field = field_of("corner")
-    points = field.points(0, 0, 40, 40, density=lambda p: p[:, 0] / 40)
+    points = field.points(0, 0, 40, 40, density=lambda x, y: x / 40)
     counts = np.histogram(points[:, 0], 8, (0, 40))[0]
     expected = 32 * 40 * 5 * (np.arange(8) + 0.5) / 8
     np.testing.assert_allclose(counts, expected, rtol=0.12)
     assert as_set(points) <= as_set(field.points(0, 0, 40, 40))
     with pytest.raises(TilewrightValueError, match=r"density function is 2\.0"):
-        field.points(density=lambda p: np.full(len(p), 2.0))
+        field.points(density=lambda x, y: np.full(len(x), 2.0))
     with pytest.raises(TilewrightValueError, match="expected one"):
-        field.points(density=lambda p: np.zeros(3))
+        field.points(density=lambda x, y: np.zeros(3))
+
+
+def test_a_density_function_may_give_one_share_for_all():
+    field = field_of("corner")
+    assert np.array_equal(field.points(density=lambda x, y: 0.4), field.points(density=0.4))
+
+
+def test_a_density_is_the_same_function_for_points_and_tilings():
+    def density(x, y):
+        assert x.shape == y.shape
+        return (x > y).astype(float)
+
+    x, y = field_of("corner").points(-5, -5, 10, 10, density=density).T
+    assert len(x)
+    assert (x > y).all()
+    tiles = tw.corner_tiles(2)
+    cells = tw.density_tiling(tiles, density).indices(-5, -5, 10, 10)
+    rows, columns = np.mgrid[-5:5, -5:5]
+    assert np.array_equal(tiles.slots[cells][..., 3], columns > rows)
+
+
+@pytest.mark.parametrize("density", [lambda p: p, lambda x, y, z: x, lambda: 1])
+def test_a_density_of_other_arguments_gets_one_clear_line(density):
+    for make in (
+        lambda: field_of("corner").points(density=density),
+        lambda: tw.density_tiling(tw.corner_tiles(2), density),
+        lambda: tw.Conditions({"H0": density}),
+        lambda: tw.endless_dappled_tiling({"H0": 3}, start=density),
+    ):
+        with pytest.raises(TilewrightTypeError, match="must be a function of two arrays, x and y; this one"):
+            make()
 
 
 @pytest.mark.parametrize("name", SETS)
@@ -274,7 +305,7 @@ def test_blocks_and_samples_refuse_places_too_far_out():
         field.sample(1000, 2**60, 0)
     assert len(np.unique(field.sample(1000, 2**60, 0, local=True), axis=0)) == 1000
     with pytest.raises(TilewrightValueError, match="too coarse"):
-        field.points(2**24, 0, 3, 3, out=np.empty((288, 2), np.float32), density=lambda p: np.ones(len(p)))
+        field.points(2**24, 0, 3, 3, out=np.empty((288, 2), np.float32), density=lambda x, y: np.ones(len(x)))
 
 
 def test_samples_from_places_between_cells():
@@ -290,11 +321,11 @@ def test_samples_from_places_between_cells():
 
 
 def test_a_density_function_cannot_change_the_points():
-    def overwrite(points):
-        points[:] = 0
-        return np.ones(len(points))
+    def overwrite(x, y):
+        x[:] = 0
+        return np.ones(len(x))
 
-    with pytest.raises(TilewrightValueError, match="writes into the points"):
+    with pytest.raises(TilewrightValueError, match="writes into the arrays"):
         field_of("corner").points(density=overwrite)
     with pytest.raises(TilewrightTypeError, match="expected numbers"):
-        field_of("corner").points(density=lambda p: np.array(["1"] * len(p)))
+        field_of("corner").points(density=lambda x, y: np.array(["1"] * len(x)))

@@ -1,5 +1,6 @@
 """Tile sets: sizes from the papers (with the errata), codes, properties the sets are asked to have."""
 
+import pickle
 from collections import Counter
 
 import numpy as np
@@ -22,6 +23,13 @@ def test_complete_sets_are_complete_and_in_index_order(c):
         assert np.array_equal(tiles.codes, np.arange(c**4))
     assert len(tw.dominoes(c)) == c**2
     assert len(tw.wang_tiles(c, 17 - c)) == (c * (17 - c)) ** 2
+
+
+@pytest.mark.parametrize("tiles", [tw.corner_tiles(2), tw.wang_tiles(2), tw.corner_coded_tiles()], ids=repr)
+def test_a_set_from_another_process_has_the_shape_that_is_known_here(tiles):
+    again = pickle.loads(pickle.dumps(tiles))
+    assert again.shape is tiles.shape
+    assert np.array_equal(again.slots, tiles.slots)
 
 
 # Lagae 2007, 3.2.1 and 3.2.2, as corrected: compact Wang sets 2C^2, compact corner sets 2C^3.

@@ -49,9 +49,9 @@ def test_windows_down_to_a_cell_are_solved():
 def test_whole_numbers_of_numpy_are_pixels_too():
     wall, field = tw.endless_brick_tiling(3), tw.BrickField(tw.endless_brick_tiling(3))
     window = np.int64(-7), np.uint8(3), np.int32(9), np.uint8(8)
-    plain = field.render(-7, 3, 9, 8)
-    assert all(np.array_equal(pixels, plain[name]) for name, pixels in field.render(*window).items())
-    assert np.array_equal(field.preview(*window), field.preview(-7, 3, 9, 8))
+    plain = field.render_maps(-7, 3, 9, 8)
+    assert all(np.array_equal(pixels, plain[name]) for name, pixels in field.render_maps(*window).items())
+    assert np.array_equal(field.render(*window), field.render(-7, 3, 9, 8))
     assert tw.draw_wall(wall, *window) == tw.draw_wall(wall, -7, 3, 9, 8)
 
 

@@ -328,7 +328,7 @@ BAD = {
     "size twice": (lambda: tw.LongPeriodHash(0, (5, 7, 5), 7), "a size given twice"),
     "density of a shape": (
         lambda: tw.density_tiling(tw.corner_tiles(2), lambda x, y: [0.5, 0.5]).indices(0, 0, 5, 5),
-        "did not give one number for each point",
+        "expected one number for each",
     ),
     "seed as float": (lambda: tw.direct(tw.corner_tiles(2), 1.5), "seed must be an integer"),
     "period 0": (lambda: tw.direct(tw.corner_tiles(2), period=(0, 1)), "period is 0"),
@@ -343,12 +343,12 @@ BAD = {
     "density ragged": (lambda: tw.density_tiling(tw.corner_tiles(2), [[0, 1], [1]]), "equally long rows"),
     "density complex": (
         lambda: tw.density_tiling(tw.corner_tiles(2), lambda x, y: x * 1j).indices(0, 0, 5, 5),
-        "it gave complex128",
+        "answered complex128; expected numbers",
     ),
     "density NaN": (lambda: tw.density_tiling(tw.corner_tiles(2), [[np.nan]]), "outside 0 to 1 (or NaN)"),
     "density function": (
         lambda: tw.density_tiling(tw.corner_tiles(2), lambda x, y: x).indices(0, 0, 5, 5),
-        "outside 0 to 1",
+        "density function is 2.0 at x=2.0, y=0.0; shares are 0 to 1",
     ),
     "sizes": (lambda: tw.LongPeriodHash(0, (5, 7), 6), "one of the sizes"),
 }

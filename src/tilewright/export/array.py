@@ -1,15 +1,14 @@
 """A texture array: one layer per tile."""
 
-from pathlib import Path
-
 import numpy as np
 
 from tilewright.checks import check_choice
+from tilewright.files.atomic import AnyPath
 from tilewright.files.images import write_image
 from tilewright.signals.textures import TextureTiles
 
 
-def save_array(material: TextureTiles, path: str | Path, *, map: str | None = None) -> None:
+def save_array(material: TextureTiles, path: AnyPath, *, map: str | None = None) -> None:
     """Write the tiles of a map as layers, one below the other, in order of tile index.
 
     Engines import such a strip as a 2D texture array of ``len(tiles)`` layers of tile_size x tile_size.
@@ -20,7 +19,7 @@ def save_array(material: TextureTiles, path: str | Path, *, map: str | None = No
     ----------
     material : TextureTiles
         Texture tiles over any set.
-    path : str or Path
+    path : str or path-like
         ``.png`` or ``.tif``; ``.exr`` for float maps.
     map : str, optional
         Which map of the material; by default the main one.

@@ -1,12 +1,12 @@
 """All tiles of a complete set in one picture that is itself a toroidal tiling."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.checks import check_choice
+from tilewright.files.atomic import AnyPath
 from tilewright.files.images import write_image
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Packing, packing
@@ -56,14 +56,14 @@ def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArr
     return np.ascontiguousarray(picture.reshape(rows * n, columns * n, -1)), packed
 
 
-def save_atlas(material: TextureTiles, path: str | Path, *, map: str | None = None) -> None:
+def save_atlas(material: TextureTiles, path: AnyPath, *, map: str | None = None) -> None:
     """Write the packed picture of a map to a file; see `make_atlas`.
 
     Parameters
     ----------
     material : TextureTiles
         Texture tiles over a complete set.
-    path : str or Path
+    path : str or path-like
         ``.png`` or ``.tif``; ``.exr`` for float maps.
     map : str, optional
         Which map of the material; by default the main one.

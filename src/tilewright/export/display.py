@@ -5,11 +5,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.pixels import without_alpha
 from tilewright.signals.textures.kinds import to_encoded
-
-
-def _has_alpha(channels: int, light: bool) -> bool:
-    return light and channels in (2, 4)
 
 
 def screen_bytes(pixels: NDArray[Any], light: bool) -> tuple[NDArray[np.uint8], str]:
@@ -34,9 +31,8 @@ def screen_bytes(pixels: NDArray[Any], light: bool) -> tuple[NDArray[np.uint8], 
 
 
 def _float_bytes(pixels: NDArray[np.float32], light: bool) -> tuple[NDArray[np.uint8], str]:
-    alpha = _has_alpha(pixels.shape[-1], light)
     values = pixels.astype(np.float64)
-    color = values[..., :-1] if alpha else values
+    color = without_alpha(values) if light else values
     low, high = 0.0, 1.0
     if light and color.max() > 1:
         high = float(np.quantile(color, 0.999))

@@ -8,7 +8,6 @@ import math
 import struct
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -17,7 +16,8 @@ from numpy.typing import NDArray
 from tilewright import __version__
 from tilewright.checks import check_choice, shape_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import as_path, whole_file
+from tilewright.files.atomic import AnyPath, as_path, whole_file
+from tilewright.pixels import as_rgba, white
 
 _IDENTIFIER = b"\xabKTX 20\xbb\r\n\x1a\n"
 _HEADER = struct.Struct("<12s9I4I2Q")
@@ -82,12 +82,12 @@ class _Layout:
         return _VK_FORMATS[self.kind.str[1:], self.channels]
 
 
-def write_ktx2(path: str | Path, levels: Sequence[NDArray[Any]], *, srgb: bool) -> None:
+def write_ktx2(path: AnyPath, levels: Sequence[NDArray[Any]], *, srgb: bool) -> None:
     """Write a texture, or a texture array, with its mip levels.
 
     Parameters
     ----------
-    path : str or Path
+    path : str or path-like
         The ``.ktx2`` file; it appears when it is complete.
     levels : sequence of array, shape (rows, columns, channels) or (layers, rows, columns, channels)
         The largest first, each half the size of the one before, rounded down but at least 1. With layers it
@@ -255,19 +255,11 @@ def _place(levels: list[NDArray[Any]], layout: _Layout, start: int) -> list[tupl
 
 def _texels(layer: NDArray[Any], layout: _Layout) -> NDArray[Any]:
     """A layer as it lies in the file."""
-    given = layer.shape[-1]
-    texels = np.empty((*layer.shape[:-1], layout.channels), layout.kind)
-    if given == layout.channels:
-        texels[...] = layer
-        return texels
-    color = layer if given == 3 else layer[..., :1]
-    texels[..., :3] = color
-    texels[..., 3] = layer[..., 1] if given == 2 else _one(layout)
+    if layer.shape[-1] != layout.channels:
+        return as_rgba(layer, layout.kind)
+    texels = np.empty(layer.shape, layout.kind)
+    texels[...] = layer
     return texels
-
-
-def _one(layout: _Layout) -> int:
-    return 1 if layout.kind.kind == "f" else int(np.iinfo(layout.kind).max)
 
 
 def _describe(layout: _Layout) -> bytes:
@@ -276,7 +268,7 @@ def _describe(layout: _Layout) -> bytes:
     if layout.kind.kind == "f":
         qualifiers, low, high = _SIGNED_FLOAT, *struct.unpack("<2I", struct.pack("<2f", -1, 1))
     else:
-        qualifiers, low, high = 0, 0, _one(layout)
+        qualifiers, low, high = 0, 0, white(layout.kind)
     samples = b""
     for number in range(layout.channels):
         channel = _CHANNELS[number] | qualifiers

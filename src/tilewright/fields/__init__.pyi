@@ -19,6 +19,12 @@ from .photos.methods import (
 from .photos.methods import (
     RepeatField as RepeatField,
 )
+from .plane import (
+    PixelField as PixelField,
+)
+from .plane import (
+    PixelMap as PixelMap,
+)
 from .points.field import (
     PointField as PointField,
 )

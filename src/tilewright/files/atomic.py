@@ -15,11 +15,13 @@ from tilewright.errors import (
     TilewrightWarning,
 )
 
+AnyPath = str | os.PathLike[str]
+"""A name of a file or folder."""
 MANIFEST = "tileset.json"
 """The file that makes a folder a tile-set folder."""
 
 
-def as_path(given: str | os.PathLike[str]) -> Path:
+def as_path(given: AnyPath) -> Path:
     """A path, or one clear line where it is of another type or cannot be written out as text."""
     check_type("path", given, (str, os.PathLike), "a str or a Path")
     path = Path(given)
@@ -61,7 +63,7 @@ def _real(path: Path) -> Path:
 
 
 @contextmanager
-def whole_file(path: str | Path) -> Iterator[Path]:
+def whole_file(path: AnyPath) -> Iterator[Path]:
     """Yield a name to write to; it becomes ``path`` when the block ends well, and is gone otherwise."""
     path = as_path(path)
     with _explained(path):
@@ -99,7 +101,7 @@ def _check_outside(path: Path, real: Path) -> None:
 
 
 @contextmanager
-def whole_folder(path: str | Path, objection: Callable[[Path], str]) -> Iterator[Path]:
+def whole_folder(path: AnyPath, objection: Callable[[Path], str]) -> Iterator[Path]:
     """Yield a new folder to fill; it becomes ``path`` when the block ends well, and is gone otherwise.
 
     A folder that is there already and is not empty is replaced, unless there is an ``objection``.

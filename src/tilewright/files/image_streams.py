@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError, TilewrightValueError
-from tilewright.files.atomic import as_path, whole_file
+from tilewright.files.atomic import AnyPath, as_path, whole_file
 from tilewright.files.images import check_writable, first_line, png_fault
+from tilewright.pixels import has_alpha
 
 TILE = 256
 """Side of a TIFF tile, and the most rows rendered at a time."""
@@ -21,7 +22,7 @@ Render = Callable[[int, int, int, int], NDArray[Any]]
 
 
 def stream_image(
-    path: str | Path, render: Render, height: int, width: int, channels: int, kind: np.dtype[Any]
+    path: AnyPath, render: Render, height: int, width: int, channels: int, kind: np.dtype[Any]
 ) -> None:
     """Write a picture that is made a block at a time.
 
@@ -66,7 +67,7 @@ def _write_tiff(
         bigtiff=True,
         photometric="rgb" if channels > 2 else "minisblack",
         planarconfig="contig" if channels > 1 else None,
-        extrasamples=("unassalpha",) if channels in (2, 4) else None,
+        extrasamples=("unassalpha",) if has_alpha(channels) else None,
         metadata=None,
     )
 

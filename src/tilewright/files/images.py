@@ -1,5 +1,6 @@
 """Photographs and pictures: read and written with their type kept, 8-bit, 16-bit and float."""
 
+import os
 import zlib
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,8 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_type, shape_error
 from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import as_path, whole_file
+from tilewright.files.atomic import AnyPath, as_path, whole_file
+from tilewright.pixels import as_pixels
 
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float32, "float": np.float32}
 _MOST_CHANNELS = 4
@@ -18,7 +20,7 @@ NO_DATE = "1980:01:01 00:00:00"
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 
-def read_image(path: str | Path) -> NDArray[Any]:
+def read_image(path: AnyPath) -> NDArray[Any]:
     """Read the pixels of an image file.
 
     8-bit files come as uint8, 16-bit ones as uint16, half and float ones as float32; palettes are
@@ -27,7 +29,7 @@ def read_image(path: str | Path) -> NDArray[Any]:
 
     Parameters
     ----------
-    path : str or Path
+    path : str or path-like
         PNG, JPEG, TIFF, EXR or another image format.
 
     Returns
@@ -75,6 +77,39 @@ def read_image(path: str | Path) -> NDArray[Any]:
         raise TilewrightFileError(f"{path} is truncated or damaged ({reason})", value=path)
     pixels = pixels.reshape(spec.height, spec.width, -1).astype(kind, copy=False)
     return _upright(pixels, spec.get_int_attribute("Orientation", 1))
+
+
+def open_picture(name: str, given: Any) -> NDArray[Any]:
+    """The pixels of a picture, however a person brings it: a file's path, a Pillow image, an array.
+
+    Parameters
+    ----------
+    name : str
+        What the picture is called where it is refused.
+    given : path, Pillow image or array
+        The picture.
+
+    Returns
+    -------
+    array
+        Its pixels; an array as it is.
+
+    Raises
+    ------
+    TilewrightFileError
+        As in `read_image`.
+    TilewrightTypeError
+        ``given`` is none of these.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        return read_image(given)
+    pixels = as_pixels(name, given)
+    if not isinstance(pixels, np.ndarray):
+        allowed = "a path, an array or a Pillow image"
+        raise TilewrightTypeError(
+            f"must be {allowed}, not {type(given).__name__}", argument=name, value=given, allowed=allowed
+        )
+    return pixels
 
 
 def _check_readable(path: Path) -> None:
@@ -134,14 +169,14 @@ def first_line(text: str) -> str:
     return " ".join(text.strip().partition("\n")[0].split())
 
 
-def write_image(path: str | Path, pixels: NDArray[Any]) -> None:
+def write_image(path: AnyPath, pixels: NDArray[Any]) -> None:
     """Write pixels to an image file without loss, or not at all.
 
     The file appears under its name only when it is complete.
 
     Parameters
     ----------
-    path : str or Path
+    path : str or path-like
         ``.png`` takes uint8 and uint16, ``.tif`` all types, ``.exr`` float32.
     pixels : array, shape (height, width, channels), uint8, uint16 or float32
         Pixels ``[y, x]`` with row 0 on top, 1 to 4 channels.

@@ -5,35 +5,14 @@ import warnings
 from pathlib import Path
 
 from tilewright.errors import TilewrightFileError, TilewrightWarning
-from tilewright.files.atomic import as_path
+from tilewright.files.atomic import AnyPath, as_path
+from tilewright.pixels import MAP_WORDS
 
-# Map -> the words that ambientCG, Poly Haven, Substance and others end its file names with.
-WORDS = {
-    "albedo": ("color", "col", "diff", "diffuse", "albedo", "basecolor", "base_color"),
-    "normal": (
-        *("normal", "nor", "nrm", "norm", "normalgl", "normal_gl", "nor_gl"),
-        *("normal_opengl", "normalogl", "normal_ogl"),
-    ),
-    "normal-dx": ("normal_dx", "nor_dx", "normaldx", "normal_directx"),
-    "roughness": ("roughness", "rough"),
-    "glossiness": ("glossiness", "gloss", "smoothness"),
-    "metalness": ("metalness", "metallic", "metal"),
-    "height": ("displacement", "disp", "height", "depth"),
-    "bump": ("bump",),
-    "ao": ("ambientocclusion", "ambient_occlusion", "ao", "occlusion", "occ"),
-    "cavity": ("cavity",),
-    "arm": ("arm",),
-    "orm": ("orm", "occlusionroughnessmetallic"),
-    "opacity": ("opacity", "alpha", "mask"),
-    "emissive": ("emission", "emissive", "emit"),
-    "specular": ("specular", "spec"),
-    "translucency": ("translucency", "translucent"),
-}
 _SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".tga", ".bmp", ".hdr", ".webp")
 _SIZE = re.compile(r"\d+k|\d{3,5}(x\d{3,5})?|png|jpg|exr|tif|lod\d|\d+bit")
 
 
-def find_maps(folder: str | Path) -> dict[str, Path]:
+def find_maps(folder: AnyPath) -> dict[str, Path]:
     """Find the maps of a material in a folder, albedo first, by the ends of their file names.
 
     Files of other names are left out, which is said in a warning. Where a material brings its normals both
@@ -41,7 +20,7 @@ def find_maps(folder: str | Path) -> dict[str, Path]:
 
     Parameters
     ----------
-    folder : str or Path
+    folder : str or path-like
         A folder with image files, such as ``Bricks_Color.png`` and ``Bricks_NormalGL.png``.
 
     Returns
@@ -99,7 +78,7 @@ def find_maps(folder: str | Path) -> dict[str, Path]:
             TilewrightWarning,
             stacklevel=2,
         )
-    return {name: found[name] for name in WORDS if name in found}
+    return {name: found[name] for name in MAP_WORDS if name in found}
 
 
 def tell_green(file: Path) -> str | None:
@@ -118,7 +97,7 @@ def recognize_map(stem: str) -> str | None:
         words.pop()
     for length in (3, 2, 1):
         ending = words[-length:]
-        for name, known in WORDS.items():
-            if len(ending) == length and {"_".join(ending), "".join(ending)} & set(known):
+        for name, known in MAP_WORDS.items():
+            if len(ending) == length and {"_".join(ending), "".join(ending)} & set(known.endings):
                 return name
     return None

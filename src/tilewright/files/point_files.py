@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import as_path, check_file, whole_file
+from tilewright.files.atomic import AnyPath, as_path, check_file, whole_file
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.feasibility import check_box
 from tilewright.samplers.point_set import PointSet
@@ -24,14 +24,14 @@ _NOTE = b"tilewright"
 """Key of the Parquet metadata that says which box the points lie in."""
 
 
-def write_points(path: str | Path, points: PointSet | ArrayLike | Blocks, count: int | None = None) -> None:
+def write_points(path: AnyPath, points: PointSet | ArrayLike | Blocks, count: int | None = None) -> None:
     """Write points to a file, a block at a time where they come so.
 
     The file appears when it is complete.
 
     Parameters
     ----------
-    path : str or Path
+    path : str or path-like
         ``.npy``: float64, shape (n, 2). ``.csv``: columns x, y under a header. ``.parquet``: columns x, y,
         and the box of a PointSet. ``.ply``: binary vertices, z = 0.
     points : PointSet, array-like of shape (n, 2), or iterable of such arrays
@@ -99,7 +99,7 @@ class _Counted:
             yield checked
 
 
-def check_point_file(path: str | Path) -> Path:
+def check_point_file(path: AnyPath) -> Path:
     """A path `write_points` can write to, told before long work."""
     target = as_path(path)
     if target.suffix.lower() not in _WRITERS:
@@ -110,12 +110,12 @@ def check_point_file(path: str | Path) -> Path:
     return target
 
 
-def read_points(path: str | Path, box: Box | None = None) -> PointSet:
+def read_points(path: AnyPath, box: Box | None = None) -> PointSet:
     """Read points from a file: its first two columns, or those called x and y.
 
     Parameters
     ----------
-    path : str or Path
+    path : str or path-like
         ``.npy``, ``.npz`` (an array called points, or the only one), ``.csv``, ``.txt`` or ``.parquet``.
     box : Box, optional
         Where the points lie. By default the one that a Parquet file names, else the smallest plain box around

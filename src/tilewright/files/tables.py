@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError
-from tilewright.files.atomic import as_path
+from tilewright.files.atomic import AnyPath, as_path
 
 Read = TypeVar("Read")
 
 
-def read_table(path: str | Path, what: str) -> NDArray[Any]:
+def read_table(path: AnyPath, what: str) -> NDArray[Any]:
     """The array of a .npy file, or the whole numbers of a .csv file, shape (rows, columns).
 
     ``what`` says what is expected, for the error: "a row of colors for every tile".
@@ -30,7 +30,7 @@ def read_table(path: str | Path, what: str) -> NDArray[Any]:
     )
 
 
-def read_arrays(path: str | Path, names: Sequence[str], what: str) -> dict[str, NDArray[Any]]:
+def read_arrays(path: AnyPath, names: Sequence[str], what: str) -> dict[str, NDArray[Any]]:
     """The arrays of the given names in a .npz file."""
     target = as_path(path)
 

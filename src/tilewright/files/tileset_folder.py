@@ -4,11 +4,10 @@ The format is described in ``docs/tileset-folder.md``.
 """
 
 import os
-from pathlib import Path
 
 from tilewright.checks import check_type
 from tilewright.errors import TilewrightError, TilewrightFileError
-from tilewright.files.atomic import MANIFEST, as_path, check_folder, whole_folder
+from tilewright.files.atomic import MANIFEST, AnyPath, as_path, check_folder, whole_folder
 from tilewright.files.manifest import find_objection, read_head, read_manifest
 from tilewright.files.points_folder import PointManifest, read_point_tiles, write_point_tiles
 from tilewright.files.texture_folder import TextureManifest, read_texture, write_texture
@@ -16,7 +15,7 @@ from tilewright.signals.points import PointTiles
 from tilewright.signals.textures import TextureTiles
 
 
-def save(material: TextureTiles | PointTiles, folder: str | Path) -> None:
+def save(material: TextureTiles | PointTiles, folder: AnyPath) -> None:
     """Write texture tiles or point tiles to a folder, whole or not at all.
 
     A folder that holds a tile set and nothing else is replaced; any other one that is not empty is
@@ -26,7 +25,7 @@ def save(material: TextureTiles | PointTiles, folder: str | Path) -> None:
     ----------
     material : TextureTiles or PointTiles
         What is to be stored.
-    folder : str or Path
+    folder : str or path-like
         Where it is to be stored; the folder above must be there.
 
     Raises
@@ -54,17 +53,17 @@ def save(material: TextureTiles | PointTiles, folder: str | Path) -> None:
             write_point_tiles(unfinished, material)
 
 
-def check_savable(folder: str | Path) -> None:
+def check_savable(folder: AnyPath) -> None:
     """Raise what `save` would raise before it writes anything, so that it is known before long work."""
     check_folder(as_path(folder), find_objection)
 
 
-def load(folder: str | Path) -> TextureTiles | PointTiles:
+def load(folder: AnyPath) -> TextureTiles | PointTiles:
     """Read a tile set from a folder, every file checked against its checksum.
 
     Parameters
     ----------
-    folder : str or Path
+    folder : str or path-like
         A folder that `save` or a command wrote.
 
     Returns
@@ -115,12 +114,12 @@ def load(folder: str | Path) -> TextureTiles | PointTiles:
         ) from None
 
 
-def load_texture(folder: str | Path) -> TextureTiles:
+def load_texture(folder: AnyPath) -> TextureTiles:
     """Read texture tiles from a folder.
 
     Parameters
     ----------
-    folder : str or Path
+    folder : str or path-like
         A folder that `save` or a command wrote.
 
     Returns
@@ -141,12 +140,12 @@ def load_texture(folder: str | Path) -> TextureTiles:
     return material
 
 
-def load_points(folder: str | Path) -> PointTiles:
+def load_points(folder: AnyPath) -> PointTiles:
     """Read point tiles from a folder.
 
     Parameters
     ----------
-    folder : str or Path
+    folder : str or path-like
         A folder that `save` or a command wrote.
 
     Returns

@@ -11,6 +11,7 @@ from tilewright.checks import as_cells, check_flag, check_int, check_progress
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.flows.crowd import MOST_PARTICLES, NOBODY, Crowd, Film
 from tilewright.flows.tiles import FLOW_TILES, FlowTile, check_tiles, strew_tiles
+from tilewright.showing import describe_record
 
 __all__ = ["FLOW_TILES", "Flow", "FlowTile", "simulate_flow", "strew_tiles"]
 
@@ -63,6 +64,8 @@ class Flow:
     born: NDArray[np.int64]
     killed: NDArray[np.int64]
     left: NDArray[np.int64]
+
+    __repr__ = describe_record
 
     @cached_property
     def alive(self) -> NDArray[np.bool_]:

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.pixels import as_rgba, without_alpha
 from tilewright.signals.textures.kinds import to_encoded, to_linear
 
 
@@ -50,13 +51,14 @@ class PixelFormat:
     def upload(self, level: NDArray[Any]) -> NDArray[Any]:
         """Pixels as the texture stores them."""
         if self.target_dtype == np.uint8:
-            return _spread(level, self.stored, self.color, np.uint8(255))
+            return self._fit(level)
         values = level.astype(np.float32)
         if self.dtype == np.uint16:
             values /= np.float32(65535)
         if self.color:
-            values[..., : self._lights] = to_linear(values[..., : self._lights])
-        return _spread(values, self.stored, False, np.float32(1))
+            light = without_alpha(values)
+            light[...] = to_linear(light)
+        return self._fit(values)
 
     def download(self, picture: NDArray[Any]) -> NDArray[Any]:
         """Pixels of the map from a picture with four channels."""
@@ -65,27 +67,12 @@ class PixelFormat:
             return np.ascontiguousarray(picture[..., kept])
         values = picture[..., : self.channels].copy()
         if self.color:
-            values[..., : self._lights] = to_encoded(values[..., : self._lights])
+            light = without_alpha(values)
+            light[...] = to_encoded(light)
         if self.dtype == np.uint16:
             values = np.rint(np.clip(values, 0, 1) * np.float32(65535))
         return values.astype(self.dtype)
 
-    @property
-    def _lights(self) -> int:
-        """Channels that hold light and not alpha."""
-        return self.channels - (self.channels in (2, 4))
-
-
-def _spread(level: NDArray[Any], stored: int, color: bool, full: Any) -> NDArray[Any]:
-    """More channels: gray in all three lights, opaque."""
-    channels = level.shape[-1]
-    if channels == stored:
-        return level
-    out = np.full((*level.shape[:-1], stored), full, level.dtype)
-    if color and channels <= 2:
-        out[..., :3] = level[..., :1]
-        if channels == 2:
-            out[..., 3] = level[..., 1]
-    else:
-        out[..., :channels] = level
-    return out
+    def _fit(self, level: NDArray[Any]) -> NDArray[Any]:
+        """With as many channels as the texture has."""
+        return level if level.shape[-1] == self.stored else as_rgba(level)

@@ -2,22 +2,29 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_type, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.files.images import read_image
+from tilewright.files.atomic import AnyPath
+from tilewright.files.images import open_picture
 from tilewright.files.map_stack import find_maps, tell_green
+from tilewright.pixels import white, without_alpha
 from tilewright.signals.textures import Exemplar, TextureTiles
 from tilewright.signals.textures.exemplar import check_kinds, check_map
 from tilewright.signals.textures.kinds import is_normal
 from tilewright.tiles import TileSet, corner_tiles
 
-Picture = str | Path | NDArray[Any]
+if TYPE_CHECKING:
+    import PIL.Image
+
+Picture = Union[AnyPath, NDArray[Any], "PIL.Image.Image"]
+"""A file, an array of shape (h, w) or (h, w, channels), or a Pillow image."""
 Photo = Picture | Mapping[str, Picture]
 
 
@@ -32,19 +39,19 @@ def open_exemplar(
     normal: str | None = None,
     flatten: bool = False,
 ) -> Exemplar:
-    """Make an exemplar from files or arrays.
+    """Make an exemplar from files, arrays or Pillow images.
 
     Parameters
     ----------
-    photo : path, array of shape (h, w) or (h, w, channels), or dict of map name to either
+    photo : path, array of shape (h, w) or (h, w, channels), Pillow image, or dict of map name to these
         A single picture becomes the map ``"albedo"``; a folder gives the maps that its file names tell, see
         `find_maps`. Sizes may differ by powers of two: smaller maps are enlarged.
-    second : path, array or dict, optional
+    second : path, array, Pillow image or dict, optional
         A second photograph in the same forms, the source of the marked corners of an inhomogeneous set; by
         default there is none.
-    mask : path or array, optional
+    mask : path, array or Pillow image, optional
         Pixels of ``photo`` that may be copied: those at least half as bright as white; by default all.
-    second_mask : path or array, optional
+    second_mask : path, array or Pillow image, optional
         Pixels of ``second`` that may be copied; by default all.
     weights : dict of map name to float, optional
         How much a map counts when patches are matched and cut, 0 to 1,000,000; by default 1 for color and 0.1
@@ -104,7 +111,7 @@ def add_maps(
     ----------
     material : TextureTiles
         Where every pixel came from is read from ``material.origins``; nothing is decided anew.
-    photo : path, array or dict of map name to either
+    photo : path, array, Pillow image, or dict of map name to these
         New maps; one of a name that is there replaces it. Sizes may differ from the photograph's by powers
         of two.
     second : path, array or dict of map name to either, optional
@@ -178,7 +185,7 @@ class _Meaning:
     def known(self, photo: Photo, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
         """Kinds that need no guess: told by a file's name, by ``normal``, by ``kinds``."""
         normals = [name for name, kind in check_kinds(self.kinds, maps).items() if is_normal(kind)]
-        files = {n: Path(p) for n, p in _list_maps(photo, "photo").items() if isinstance(p, (str, Path))}
+        files = {n: Path(p) for n, p in _list_maps(photo, "photo").items() if isinstance(p, PathLike | str)}
         told = {name: green for name in normals if name in files and (green := tell_green(files[name]))}
         told |= {name: f"normal-{name[-2:]}" for name in normals if name.lower().endswith(("-dx", "-gl"))}
         if self.normal is not None:
@@ -342,7 +349,7 @@ def _list_maps(photo: Photo, what: str) -> Mapping[str, Picture]:
         if not photo:
             raise TilewrightValueError("is an empty dict; at least one map is needed", argument=what)
         return photo
-    if isinstance(photo, (str, Path)) and Path(photo).is_dir():
+    if isinstance(photo, PathLike | str) and Path(photo).is_dir():
         return find_maps(photo)
     return {"albedo": photo}
 
@@ -355,19 +362,8 @@ def _open_maps(photo: Photo, what: str) -> dict[str, NDArray[Any]]:
 
 def _open_map(picture: Picture, what: str) -> NDArray[Any]:
     """A map, checked at once, so that what is wrong with a file is said with its name."""
-    return check_map(str(picture) if isinstance(picture, (str, Path)) else what, _open(picture, what))
-
-
-def _open(picture: Picture, what: str) -> NDArray[Any]:
-    if isinstance(picture, (str, Path)):
-        return read_image(picture)
-    if isinstance(picture, np.ndarray):
-        return picture
-    raise TilewrightTypeError(
-        f"must be a path or an array, not {type(picture).__name__}",
-        argument=what,
-        value=picture,
-        allowed="a path or an array",
+    return check_map(
+        str(picture) if isinstance(picture, PathLike | str) else what, open_picture(what, picture)
     )
 
 
@@ -385,7 +381,7 @@ def _fit_mask(mask: NDArray[np.bool_] | None, maps: Mapping[str, NDArray[Any]]) 
 def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:
     if mask is None:
         return None
-    pixels = _open(mask, "mask")
+    pixels = open_picture("mask", mask)
     if pixels.dtype == bool:
         return pixels
     if pixels.dtype.kind not in "uf" or not np.isfinite(pixels).all():
@@ -395,7 +391,7 @@ def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:
             value=pixels.dtype,
             allowed="bool, unsigned integers, and floats without NaN",
         )
-    white = np.iinfo(pixels.dtype).max if pixels.dtype.kind == "u" else 1
-    if pixels.ndim == 3:  # grey or color, either of them with alpha, which does not count
-        pixels = pixels[..., : 1 if pixels.shape[2] < 3 else 3].mean(axis=2)
-    return pixels >= white / 2
+    half = white(pixels.dtype) / 2
+    if pixels.ndim == 3:  # gray or color, either of them with alpha, which does not count
+        pixels = without_alpha(pixels).mean(axis=2)
+    return pixels >= half

@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import max_radius, relative_radius
+from tilewright.showing import Shown, describe, many
 
 
 @dataclass(frozen=True, eq=False)
-class PointSet:
+class PointSet(Shown):
     """Points of a box, and what is promised about them: the answer of every sampler.
 
     Attributes
@@ -45,6 +46,14 @@ class PointSet:
     method: str = "given"
     distance: float = 0.0
     figures: dict[str, Any] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        size = " x ".join(f"{side:g}" for side in self.box.extent)
+        kind = "torus" if self.box.torus else "box"
+        return describe(self, many(len(self), "point"), f"{kind} {size}", f"method {self.method}")
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        return np.array(self.points, dtype, copy=copy)
 
     def __len__(self) -> int:
         return len(self.points)

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.pixels import without_alpha
 from tilewright.signals.textures.kinds import Values, from_values, is_normal, to_values
 from tilewright.signals.textures.sharing import Rim, Shared, with_gutters
 from tilewright.signals.textures.texture_tiles import TextureTiles
@@ -151,7 +152,7 @@ def _encode(material: TextureTiles, name: str, base: NDArray[Any], values: Any, 
     for k, (level, same) in enumerate(values(name)):
         if bumps is not None:
             level = level.copy()
-            rough = level[..., :-1] if level.shape[-1] in (2, 4) else level
+            rough = without_alpha(level)
             rough += _spread(next(bumps)[0])
         all_same = all_same and same
         clean = k if all_same else clean

@@ -6,7 +6,9 @@ top). Everything that lays or checks tiles works from the joints alone, so Wang 
 with both need no separate code.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 from tilewright.errors import TilewrightValueError
 
@@ -111,6 +113,15 @@ class Shape:
         """
         return self.slots.index(name)
 
+    def __reduce__(self) -> tuple[Callable[..., "Shape"], tuple[Any, ...]]:
+        # Shapes are told by identity, so one that comes from another process must be the one here.
+        return _find_shape, (self.name, self.slots, self.joints, self.steps)
+
+
+def _find_shape(name: str, *parts: Any) -> Shape:
+    given = Shape(name, *parts)
+    return next((known for known in _SHAPES if known == given), given)
+
 
 def _axes(dimension: int) -> tuple[tuple[int, ...], ...]:
     """A step along each axis, x first."""
@@ -160,3 +171,4 @@ CORNER_CUBE = Shape(
     ),
 )
 """Corner cubes: colored corners NEU, SEU, SWU, NWU, NED, SED, SWD, NWD."""
+_SHAPES = (WANG, CORNER, CORNER_CODED, FREE, DOMINO, WANG_CUBE, CORNER_CUBE)

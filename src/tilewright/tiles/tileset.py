@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import as_integers, check_int, check_type, type_error
 from tilewright.errors import TilewrightValueError
+from tilewright.showing import Shown
 from tilewright.tiles.shape import Shape
 
 MOST_COLORS = 2**15
@@ -36,7 +37,7 @@ CUSTOM = Family("custom", {})
 """The family of sets of which nothing more is known."""
 
 
-class TileSet(ABC):
+class TileSet(Shown, ABC):
     """A finite set of tiles of one shape: what may meet.
 
     How many tiles there are, the slots of each, and the tiles that fit slots are all that anything asks of a

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightValueError
+from tilewright.showing import describe_record
 from tilewright.tiles.families import as_wang_tiles
 from tilewright.tiles.shape import CORNER
 from tilewright.tiles.tileset import TileSet, check_tiles
@@ -55,6 +56,8 @@ class Transducer:
     target: Numbers
     read: Numbers
     write: Numbers
+
+    __repr__ = describe_record
 
     def __len__(self) -> int:
         return len(self.columns)

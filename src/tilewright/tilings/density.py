@@ -1,13 +1,14 @@
 """Tilings steered by a map: where corners are marked follows a picture or a function."""
 
 from collections.abc import Callable
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_array, check_choice, check_real, shape_error
+from tilewright.checks import as_array, check_choice, check_function_of_place, check_real, shape_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.pixels import as_pixels, mean_gray, white
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.algorithms import Algorithm, Lattice, Slots, corner_slots, recognize
@@ -18,6 +19,7 @@ from tilewright.tilings.streams import COLORS, DENSITY, SECOND
 from tilewright.tilings.table_hashes import make_hash
 
 Density = Callable[[NDArray[np.float64], NDArray[np.float64]], ArrayLike]
+"""``density(x, y)``: for two arrays of one shape the shares there, 0 to 1, in an array of that shape."""
 
 
 class DensityTiling(SlotTiling):
@@ -71,23 +73,77 @@ class DensityTiling(SlotTiling):
 
         Raises
         ------
-        TilewrightValueError
+        TilewrightTypeError, TilewrightValueError
             The function did not give one number from 0 to 1 for each point.
         """
         x, y = np.meshgrid(columns.astype(float), rows.astype(float))
-        given = self.density(x, y)
-        try:
-            found = np.asarray(given)
-            if found.dtype.kind not in "buif":
-                raise TypeError(f"it gave {found.dtype}")
-            values = np.broadcast_to(found.astype(float), x.shape)
-        except (TypeError, ValueError) as error:
+        return evaluate_density(self.density, x, y)
+
+
+def evaluate_density(density: Density, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Ask a density for its shares at places, and check the answer.
+
+    Parameters
+    ----------
+    density : callable
+        ``density(x, y)``, which answers a share for each place, or one for all.
+    x : float64 array
+        x of the places.
+    y : float64 array, of the shape of x
+        y of the places.
+
+    Returns
+    -------
+    float64 array, of the shape of x
+        Shares, 0 to 1.
+
+    Raises
+    ------
+    TilewrightTypeError
+        The answer does not hold numbers.
+    TilewrightValueError
+        The answer has another shape or values outside 0 to 1, or the function writes into its arrays.
+    """
+    x, y = _read_only(x), _read_only(y)
+    try:
+        found = np.asarray(density(x, y))
+    except ValueError as error:
+        if "read-only" in str(error):
             raise TilewrightValueError(
-                f"the density function did not give one number for each point of {x.shape}: {error}"
+                "writes into the arrays it is given", argument="the density function"
             ) from None
-        if not ((values >= 0) & (values <= 1)).all():
-            raise TilewrightValueError("the density function gave values outside 0 to 1 (or NaN)")
-        return values
+        raise
+    if found.dtype.kind not in "buif":
+        raise TilewrightTypeError(
+            f"answered {found.dtype}; expected numbers",
+            argument="the density function",
+            value=found.dtype,
+            allowed="numbers",
+        )
+    if found.shape not in (x.shape, ()):
+        raise TilewrightValueError(
+            f"answered shape {found.shape} for places of shape {x.shape}; expected one number for each",
+            argument="the density function",
+            value=found.shape,
+            allowed=f"{x.shape} or one number",
+        )
+    shares = np.broadcast_to(found.astype(np.float64), x.shape)
+    bad = ~((shares >= 0) & (shares <= 1))
+    if bad.any():
+        at = np.unravel_index(int(np.argmax(bad)), bad.shape)
+        raise TilewrightValueError(
+            f"is {shares[at]} at x={x[at]}, y={y[at]}; shares are 0 to 1",
+            argument="the density function",
+            value=float(shares[at]),
+            allowed="0 to 1",
+        )
+    return shares
+
+
+def _read_only(given: NDArray[np.float64]) -> NDArray[np.float64]:
+    shown = given.view()
+    shown.setflags(write=False)
+    return shown
 
 
 def density_tiling(
@@ -109,10 +165,10 @@ def density_tiling(
     tiles : TileSet
         A complete corner set over 2 colors or more, or a corner-coded set with all 16 marks (128 tiles over
         Cohen's 8).
-    density : callable or array-like, shape (h, w) or (h, w, channels)
-        ``f(x, y)`` of lattice points (arrays of float) that returns the probability, 0 to 1. Or a gray map,
-        whose colors are averaged and alpha ignored: floats 0 to 1, or integers of their type's range. Pixel
-        (0, 0) of a map covers the cells from (0, 0).
+    density : callable, array-like of shape (h, w) or (h, w, channels), or Pillow image
+        ``density(x, y)`` of lattice points, two float64 arrays of one shape, that answers the probability of
+        each, 0 to 1, in an array of that shape. Or a gray map, whose colors are averaged and alpha ignored:
+        floats 0 to 1, or integers of their type's range. Pixel (0, 0) of a map covers the cells from (0, 0).
     seed : int, optional
         Where chance begins, 0 to 2^64 - 1; default 0.
     cells_per_pixel : float, optional
@@ -153,15 +209,17 @@ def density_tiling(
             "a density needs a complete corner set or a corner-coded set with all marks; "
             f"the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles is neither"
         )
-    if not callable(density):
+    if callable(density):
+        check_function_of_place("density", density)
+    else:
         check_choice("outside", outside, ("clamp", "repeat"))
         size = check_real("cells_per_pixel", cells_per_pixel, 1e-6, 1e9)
-        density = _interpolate(_as_gray(density), size, outside)
+        density = _Interpolation(_as_gray(density), size, outside)
     return DensityTiling(tiles, make_hash(hash, seed), algorithm, density)
 
 
 def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
-    map_ = as_array("the density map", given)
+    map_ = as_array("the density map", as_pixels("density", given))
     if map_.ndim == 2:
         map_ = map_[..., np.newaxis]
     if map_.ndim != 3 or not 1 <= map_.shape[2] <= 4 or map_.size == 0:
@@ -178,30 +236,30 @@ def _as_gray(given: ArrayLike) -> NDArray[np.float64]:
             value=map_.dtype,
             allowed=allowed,
         )
-    # Gray is the mean of the colors; alpha (the last of 2 or 4 channels) says nothing.
-    colors = map_[..., : 1 if map_.shape[2] < 3 else 3]
-    values = colors.mean(axis=2, dtype=np.float64)
-    if map_.dtype.kind == "u":
-        return values / np.iinfo(map_.dtype).max
+    values = mean_gray(map_) / white(map_.dtype)
     if not ((values >= 0) & (values <= 1)).all():
         raise TilewrightValueError("has values outside 0 to 1 (or NaN)", argument="the density map")
     return values
 
 
-def _interpolate(gray: NDArray[np.float64], size: float, outside: str) -> Density:
-    def density(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[Any]:
-        column, row = x / size - 0.5, y / size - 0.5
+@dataclass(frozen=True, eq=False)
+class _Interpolation:
+    """A gray map as a density: between the centers of pixels of ``size`` cells values are interpolated."""
+
+    gray: NDArray[np.float64]
+    size: float
+    outside: str
+
+    def __call__(self, x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
+        column, row = x / self.size - 0.5, y / self.size - 0.5
         left, top = np.floor(column).astype(np.int64), np.floor(row).astype(np.int64)
         dx, dy = column - left, row - top
+        upper = self._at(top, left) * (1 - dx) + self._at(top, left + 1) * dx
+        lower = self._at(top + 1, left) * (1 - dx) + self._at(top + 1, left + 1) * dx
+        return np.asarray(upper * (1 - dy) + lower * dy)
 
-        def at(i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.float64]:
-            h, w = gray.shape
-            if outside == "repeat":
-                return gray[i % h, j % w]
-            return gray[i.clip(0, h - 1), j.clip(0, w - 1)]
-
-        upper = at(top, left) * (1 - dx) + at(top, left + 1) * dx
-        lower = at(top + 1, left) * (1 - dx) + at(top + 1, left + 1) * dx
-        return upper * (1 - dy) + lower * dy
-
-    return density
+    def _at(self, i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.float64]:
+        h, w = self.gray.shape
+        if self.outside == "repeat":
+            return self.gray[i % h, j % w]
+        return self.gray[i.clip(0, h - 1), j.clip(0, w - 1)]

@@ -73,6 +73,33 @@ class Domain:
         wrapped = sum(p is not None for p in self.periods)
         return "plane" if wrapped == 0 else "torus" if wrapped == len(self.periods) else "cylinder"
 
+    def __str__(self) -> str:
+        """``plane``, ``torus 3 x 5``, ``cylinder 3 x endless``, ``rectangle 0 to 8 x 0 to 6``."""
+        if self.kind == "plane":
+            return "plane"
+        axes = zip(self.bounds, self.periods, strict=True)
+        sides = (f"{b[0]} to {b[1] - 1}" if b else "endless" if p is None else str(p) for b, p in axes)
+        return f"{self.kind} {' x '.join(sides)}"
+
+    def scaled(self, *units: int) -> "Domain":
+        """Give the same domain counted in parts of a cell, such as pixels.
+
+        Parameters
+        ----------
+        *units : int
+            How many parts make a cell along each axis, x first.
+
+        Returns
+        -------
+        Domain
+            Its periods and bounds are in parts.
+        """
+        periods = tuple(None if p is None else p * u for p, u in zip(self.periods, units, strict=True))
+        bounds = tuple(
+            None if b is None else (b[0] * u, b[1] * u) for b, u in zip(self.bounds, units, strict=True)
+        )
+        return Domain(periods, bounds)
+
     def check_window(self, start: tuple[int, ...], extent: tuple[int, ...]) -> None:
         """Refuse a window of cells that lies outside the domain or is too large to hold.
 

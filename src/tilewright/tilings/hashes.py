@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import as_integers, check_int
 from tilewright.seeds import check_seed
+from tilewright.showing import describe
 from tilewright.tiles.tileset import MOST_COLORS, slot_type
 from tilewright.tilings.streams import COLORS, digits_of
 
@@ -40,6 +41,10 @@ class LatticeHash(ABC):
     name: str
     period: int | None
     """Period along every axis, or None where there is none within 64-bit coordinates."""
+    seed: Any
+
+    def __repr__(self) -> str:
+        return describe(self, f"seed {int(self.seed) % 2**64}")
 
     @abstractmethod
     def words(

@@ -144,6 +144,7 @@ class LongPeriodHash(LatticeHash):
                 value=range,
                 allowed=f"one of the sizes {tuple(sizes)}",
             )
+        self.seed = check_seed(seed)
         self.parts = tuple(PermutationHash(seed, size) for size in sizes)
         self._range = range
 

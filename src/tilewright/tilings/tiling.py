@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import as_integers
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.showing import Shown, describe
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.domain import Domain
@@ -15,7 +16,7 @@ from tilewright.tilings.domain import Domain
 _MOST_TILES = 2**31
 
 
-class Tiling(ABC):
+class Tiling(Shown, ABC):
     """A tile for every cell of a domain: what every tiling answers.
 
     Attributes
@@ -28,6 +29,9 @@ class Tiling(ABC):
 
     tiles: TileSet
     domain: Domain
+
+    def __repr__(self) -> str:
+        return describe(self, repr(self.tiles), str(self.domain))
 
     def indices(self, *window: int, out: NDArray[np.int32] | None = None) -> NDArray[np.int32]:
         """Give the tile indices of a window of cells, equal to the same cells of any other window.
@@ -144,6 +148,9 @@ class ArrayTiling(Tiling):
             for a, (first, n) in enumerate(zip(start, reversed(out.shape), strict=True))
         ]
         out[...] = self.cells[np.ix_(*reversed(axes))]
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        return np.array(self.cells, dtype, copy=copy)
 
 
 def first_mismatch(tiles: TileSet, cells: NDArray[Any], *, torus: bool) -> str | None:

@@ -14,8 +14,9 @@ from tilewright.analysis.points.laid_tiles import PLATE_POINTS, SPECTRUM_POINTS
 from tilewright.analysis.points.report import PointReport, analyze_points, save_comparison
 from tilewright.checks import check_choice, check_int, type_error
 from tilewright.errors import Cancelled, Progress, TilewrightError
-from tilewright.files.atomic import as_path, check_folder, whole_folder
+from tilewright.files.atomic import AnyPath, as_path, check_folder, whole_folder
 from tilewright.samplers.point_set import PointSet
+from tilewright.showing import describe_record
 
 _SETS = 10
 _SHARE = 12.0
@@ -59,6 +60,8 @@ class Comparison:
     rows: list[dict[str, Any]]
     reports: list[PointReport] = field(default_factory=list)
 
+    __repr__ = describe_record
+
     def table(self) -> str:
         """Write a Markdown table of all that ran, and a line for each that did not.
 
@@ -89,14 +92,14 @@ class Comparison:
             for row in self.rows
         ]
 
-    def save(self, folder: str | Path) -> None:
+    def save(self, folder: AnyPath) -> None:
         """Write ``comparison.md``, ``comparison.json`` and pictures of six methods each to a folder.
 
         A folder that holds a comparison is replaced; any other one that is not empty is refused.
 
         Parameters
         ----------
-        folder : str or Path
+        folder : str or path-like
             Where the files go; the folder above must be there.
 
         Raises
@@ -201,7 +204,7 @@ def compare(
     return Comparison(rows, reports)
 
 
-def check_comparison_folder(folder: str | Path) -> None:
+def check_comparison_folder(folder: AnyPath) -> None:
     """Raise what `Comparison.save` would, before the work is done."""
     check_folder(as_path(folder), _objection)
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tilewright.analysis.points.checks import check_set
 from tilewright.errors import TilewrightValueError
 from tilewright.samplers.point_set import PointSet
+from tilewright.showing import describe_record
 
 PIXELS = 512
 DOMAIN = 48.0
@@ -48,6 +49,8 @@ class ZonePlate:
     error_near: float
     rate: float
     holes: int
+
+    __repr__ = describe_record
 
 
 def zone_plate(points: PointSet) -> ZonePlate:

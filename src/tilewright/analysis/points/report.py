@@ -3,7 +3,6 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import inf, sqrt
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -20,8 +19,9 @@ from tilewright.analysis.points.spacing import (
 from tilewright.analysis.points.spectrum import Spectrum, power_spectrum
 from tilewright.analysis.sheets import check_sheet
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import whole_file
+from tilewright.files.atomic import AnyPath, whole_file
 from tilewright.samplers.point_set import PointSet
+from tilewright.showing import describe_record
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -85,6 +85,8 @@ class PointReport:
     distribution: RadialDistribution
     plate: ZonePlate | None
 
+    __repr__ = describe_record
+
     def __str__(self) -> str:
         lines = []
         for name, value in self.figures.items():
@@ -116,12 +118,12 @@ class PointReport:
             words.text(place, 0.95, "\n".join(part), family="monospace", fontsize=9, va="top")
         return figure
 
-    def save_sheet(self, path: str | Path) -> None:
+    def save_sheet(self, path: AnyPath) -> None:
         """Write the sheet as a picture.
 
         Parameters
         ----------
-        path : str or Path
+        path : str or path-like
             ``.png``, ``.jpg``, ``.svg`` or ``.pdf``.
 
         Raises
@@ -236,14 +238,14 @@ def comparison_sheet(reports: Sequence[PointReport]) -> "Figure":
     return figure
 
 
-def save_comparison(reports: Sequence[PointReport], path: str | Path) -> None:
+def save_comparison(reports: Sequence[PointReport], path: AnyPath) -> None:
     """Write the sheet of `comparison_sheet` as a picture.
 
     Parameters
     ----------
     reports : sequence of PointReport
         At least one report.
-    path : str or Path
+    path : str or path-like
         ``.png``, ``.jpg``, ``.svg`` or ``.pdf``.
     """
     given = _check_reports(reports)
@@ -263,7 +265,7 @@ def _check_reports(reports: Sequence[PointReport]) -> list[PointReport]:
     return list(reports)
 
 
-def _save(path: str | Path, make: Callable[[], "Figure"]) -> None:
+def _save(path: AnyPath, make: Callable[[], "Figure"]) -> None:
     target = check_sheet(path)
     with whole_file(target) as unfinished:
         make().savefig(unfinished, dpi=160, format=target.suffix[1:].lower())

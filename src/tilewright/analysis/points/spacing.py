@@ -15,6 +15,7 @@ from tilewright.errors import TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
 from tilewright.samplers.radius import max_radius, nearest_distances
+from tilewright.showing import describe_record
 
 MOST_FOR_DISCREPANCY = 2**15
 _DISCREPANCIES = {"centered": "CD", "wrapped": "WD", "star": "L2-star"}
@@ -66,6 +67,8 @@ class RadialDistribution:
 
     distance: NDArray[np.float64]
     density: NDArray[np.float64]
+
+    __repr__ = describe_record
 
 
 def radial_distribution(

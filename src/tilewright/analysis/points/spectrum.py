@@ -17,6 +17,7 @@ from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
 from tilewright.samplers.radius import max_radius
+from tilewright.showing import describe_record
 
 LARGEST_SIZE = 8192
 _TOLERANCE = 1e-9
@@ -118,6 +119,8 @@ class Spectrum:
     radial: NDArray[np.float64]
     anisotropy: NDArray[np.float64]
     samples: NDArray[np.int64]
+
+    __repr__ = describe_record
 
     @property
     def count(self) -> float:

@@ -10,6 +10,7 @@ from scipy.spatial.distance import cdist
 
 from tilewright.errors import Progress
 from tilewright.fields.photos.contenders import SideBySide, side_by_side
+from tilewright.pixels import without_alpha
 from tilewright.signals.textures import TextureTiles
 
 Gray = NDArray[np.float32]
@@ -154,5 +155,4 @@ def _pieces(picture: Gray, step: int, most: int, rng: np.random.Generator) -> Gr
 
 def _color(pixels: NDArray[np.generic]) -> Gray:
     """Without alpha."""
-    channels = pixels.shape[2]
-    return pixels[..., : channels - 1 if channels in (2, 4) else channels].astype(np.float32)
+    return without_alpha(pixels).astype(np.float32)

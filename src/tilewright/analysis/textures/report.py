@@ -1,7 +1,6 @@
 """All figures of a tile set, and a sheet of pictures to judge it by eye."""
 
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,8 +18,10 @@ from tilewright.analysis.textures.seams import (
 from tilewright.analysis.textures.structure import seam_novelty, used_share
 from tilewright.checks import check_type
 from tilewright.errors import Progress
-from tilewright.files.atomic import whole_file
+from tilewright.files.atomic import AnyPath, whole_file
+from tilewright.pixels import as_rgb
 from tilewright.seeds import check_seed
+from tilewright.showing import describe_record
 from tilewright.signals.textures import TextureTiles
 
 if TYPE_CHECKING:
@@ -57,6 +58,8 @@ class Report:
 
     figures: dict[str, float]
     sample: Sample
+
+    __repr__ = describe_record
 
     def __str__(self) -> str:
         lines = []
@@ -104,12 +107,12 @@ class Report:
         axes[-1].text(0, 1, str(self), family="monospace", fontsize=7, va="top", transform=axes[-1].transAxes)
         return figure
 
-    def save_sheet(self, path: str | Path) -> None:
+    def save_sheet(self, path: AnyPath) -> None:
         """Write the sheet as a picture.
 
         Parameters
         ----------
-        path : str or Path
+        path : str or path-like
             ``.png``, ``.jpg``, ``.svg`` or ``.pdf``.
 
         Raises
@@ -185,8 +188,7 @@ def _shown(pixels: NDArray[np.float32], material: TextureTiles) -> NDArray[np.fl
     """Pixels as RGB, 0 to 1; float maps are scaled to what they hold."""
     kind = material.pixels.dtype
     white = np.iinfo(kind).max if kind.kind == "u" else max(float(material.pixels.max()), 1e-9)
-    color = pixels[..., :3] if pixels.shape[2] >= 3 else np.repeat(pixels[..., :1], 3, axis=2)
-    return np.clip(color / white, 0, 1)
+    return np.clip(as_rgb(pixels) / white, 0, 1)
 
 
 def _reduce(picture: NDArray[np.float32], step: int) -> NDArray[np.float32]:

@@ -1,6 +1,5 @@
 """Arrays of tile numbers as pictures: every cell in its tile's color, or its tile's strokes or arcs."""
 
-import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -8,9 +7,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import as_cells, check_choice, check_int, type_error
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.errors import TilewrightValueError
 from tilewright.export.drawing.svg import document, element
 from tilewright.export.drawing.tiles import MOST_PIXELS, color_of
+from tilewright.pixels import read_hex
 
 MOTIFS = ("fill", "strokes", "arcs")
 MOST_CELLS = 2**20
@@ -130,7 +130,7 @@ def paint_cells(
         raise TilewrightValueError(
             f"{width} x {height} cells of {side} x {side} pixels are too many; allowed are 2^28 pixels"
         )
-    palette = np.array([list(bytes.fromhex(shade[1:])) for shade in shades], np.uint8)
+    palette = np.array([read_hex(shade) for shade in shades], np.uint8)
     if motif == "fill":
         return palette[tiles.repeat(side, axis=0).repeat(side, axis=1)]
     line, ground = palette.astype(float)
@@ -160,10 +160,7 @@ def _styled(tiles: NDArray[Any], colors: Sequence[str] | None, motif: str) -> tu
         raise type_error("colors", colors, "a list such as ['#27548f', '#ecd5a3']")
     shades = list(colors)
     for shade in shades:
-        if not isinstance(shade, str):
-            raise TilewrightTypeError(f"a color must be a str such as '#27548f', not {shade!r}")
-        if not re.fullmatch("#[0-9a-fA-F]{6}", shade):
-            raise TilewrightValueError(f"a color is {shade!r}; expected '#' and six digits, as '#27548f'")
+        read_hex(shade)
     if len(shades) < needed or (motif != "fill" and len(shades) > needed):
         what = f"the {count} tiles" if motif == "fill" else "the lines and the ground"
         raise TilewrightValueError(

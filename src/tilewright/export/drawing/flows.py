@@ -1,7 +1,6 @@
 """Flows as pictures: animations of dots with fading trails, and heat maps of where particles are."""
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,8 +8,9 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_int, check_progress, check_real, check_type
 from tilewright.errors import Progress
-from tilewright.files.atomic import as_path, whole_file
+from tilewright.files.atomic import AnyPath, as_path, whole_file
 from tilewright.flows.flow import Flow
+from tilewright.pixels import read_hex
 
 SUFFIXES = (".gif", ".webp")
 _MOST_PIXELS = 2**24
@@ -31,7 +31,7 @@ _FADE = 12
 
 
 def save_animation(
-    path: str | Path,
+    path: AnyPath,
     flow: Flow,
     *,
     size: int | None = None,
@@ -44,7 +44,7 @@ def save_animation(
 
     Parameters
     ----------
-    path : str or Path
+    path : str or path-like
         ``FILE.gif``: one palette for all frames, so that nothing flickers; or ``FILE.webp``.
     flow : Flow
         Up to 2^24 particles times frames. Trails look best where particles go half a cell or less from
@@ -179,7 +179,7 @@ def draw_density(flow: Flow, *, size: int = 8, most: float | None = None) -> NDA
         most = float(np.quantile(heat[heat > 0], 0.998)) if heat.any() else 1.0
     light = np.sqrt(np.minimum(heat / most, 1))
     shown = _lanes(light, size) if size >= 4 else light.repeat(size, axis=0).repeat(size, axis=1)
-    anchors = np.array([_rgb(color) for color in _HEAT], float)
+    anchors = np.array([read_hex(color) for color in _HEAT], float)
     at = np.linspace(0, 1, len(anchors))
     return np.stack([np.rint(np.interp(shown, at, band)) for band in anchors.T], axis=-1).astype(np.uint8)
 
@@ -211,10 +211,6 @@ def _lanes(arms: NDArray[np.float64], size: int) -> NDArray[np.float64]:
         lane = shown[:, rows[way], :, columns[way]]
         np.maximum(lane, arms[:, np.newaxis, :, np.newaxis, way], out=lane)
     return shown.reshape(height * size, width * size)
-
-
-def _rgb(color: str) -> tuple[int, ...]:
-    return tuple(bytes.fromhex(color[1:]))
 
 
 def _check_flow(flow: Flow) -> None:
@@ -282,10 +278,10 @@ class _Painter:
 
 def _palette(hues: tuple[str, ...]) -> bytes:
     """Ground; from there on to line, source and sink; on to each hue; one that is not shown."""
-    ground = np.array(_rgb(_GROUND))
+    ground = np.array(read_hex(_GROUND))
     colors = [ground]
     for color, count in ((_LINE, _RAMP), (_SOURCE, _RAMP), (_SINK, _RAMP), *((hue, _LEVELS) for hue in hues)):
-        colors += [ground + (np.array(_rgb(color)) - ground) * (k + 1) / count for k in range(count)]
+        colors += [ground + (np.array(read_hex(color)) - ground) * (k + 1) / count for k in range(count)]
     colors.append(np.array([255, 0, 255]))
     return np.rint(colors).astype(np.uint8).tobytes()
 

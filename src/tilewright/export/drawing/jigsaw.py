@@ -6,7 +6,6 @@ mirrored fits nowhere.
 """
 
 import base64
-import os
 from collections.abc import Iterator
 
 import numpy as np
@@ -16,8 +15,9 @@ from tilewright.checks import check_choice, check_real, check_type
 from tilewright.errors import TilewrightFileError, TilewrightValueError
 from tilewright.export.drawing.svg import document, element, path_of, text
 from tilewright.export.drawing.tiles import color_of
-from tilewright.files.atomic import as_path
+from tilewright.files.atomic import AnyPath, as_path
 from tilewright.files.images import read_image
+from tilewright.showing import describe
 from tilewright.tiles import CORNER, WANG
 from tilewright.tilings import Tiling
 
@@ -76,6 +76,9 @@ class Jigsaw:
     Lagae 2007, section 5.5.4. Opposite sides of the board fit together too, so the whole picture can be moved
     around the torus; a frame that fits the board keeps it together.
     """
+
+    def __repr__(self) -> str:
+        return describe(self, f"{self.width} x {self.height} pieces of {self.piece:g} mm", repr(self.tiling))
 
     def __init__(self, tiling: Tiling, piece: float = 30) -> None:
         self.width, self.height = _check_tiling(tiling)
@@ -168,7 +171,7 @@ def draw_jigsaw(
     tiling: Tiling,
     *,
     piece: float = 30,
-    picture: str | os.PathLike[str] | None = None,
+    picture: AnyPath | None = None,
     engrave: str = "none",
 ) -> str:
     """Draw a jigsaw puzzle as SVG in millimeters, for a laser cutter.
@@ -268,7 +271,7 @@ def _number_marks(puzzle: Jigsaw) -> Iterator[str]:
         )  # fmt: skip
 
 
-def _picture(path: str | os.PathLike[str] | None, width: float, height: float) -> Iterator[str]:
+def _picture(path: AnyPath | None, width: float, height: float) -> Iterator[str]:
     """The file's bytes as an image that fills the sheet."""
     if path is None:
         return

@@ -1,6 +1,5 @@
 """The few parts of SVG that drawings are made of."""
 
-import os
 from collections.abc import Iterable
 from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
@@ -9,7 +8,7 @@ import numpy as np
 
 from tilewright.checks import check_type
 from tilewright.errors import TilewrightValueError
-from tilewright.files.atomic import as_path, whole_file
+from tilewright.files.atomic import AnyPath, as_path, whole_file
 
 
 def element(tag: str, *content: str, **attributes: str | float) -> str:
@@ -46,12 +45,12 @@ def document(body: Iterable[str], width: float, height: float, *, unit: str = ""
     )
 
 
-def save_svg(path: str | os.PathLike[str], drawing: str) -> Path:
+def save_svg(path: AnyPath, drawing: str) -> Path:
     """Write a drawing to a file that ends in .svg, whole or not at all.
 
     Parameters
     ----------
-    path : str or Path
+    path : str or path-like
         The file.
     drawing : str
         The text that `draw_tiling`, `draw_wall` and the like give.

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightValueError
 from tilewright.export.drawing.svg import document, element, path_of, text
+from tilewright.pixels import LUMA, read_hex
 from tilewright.tiles import Shape, TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings import Tiling
@@ -285,8 +286,7 @@ def _numbers(tiles: TileSet, tile: int) -> Iterator[str]:
 
 
 def _is_light(color: str) -> bool:
-    red, green, blue = (int(color[i : i + 2], 16) for i in (1, 3, 5))
-    return 0.299 * red + 0.587 * green + 0.114 * blue > 140
+    return sum(weight * part for weight, part in zip(LUMA, read_hex(color), strict=True)) > 140
 
 
 def _paint(tiles: TileSet, which: range | list[int], size: int) -> Iterator[NDArray[np.uint8]]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from tilewright import __version__
 from tilewright.errors import TilewrightValueError
 from tilewright.export.ktx2 import gpu_bytes
+from tilewright.pixels import MAP_WORDS, as_rgba, without_alpha
 from tilewright.shaders.lookup import ARRAY_TILES, MOST_COLORS, lookup, numbers, start_states
 from tilewright.shaders.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps
 from tilewright.signals.textures import TextureTiles
@@ -24,11 +25,11 @@ from tilewright.tilings import packing
 FACTS = "tilewright.json"
 """The file that makes a folder one of ours, and lists the others."""
 _SLOTS = {
-    "emission": r"(^|[^a-z])emi(ss|t)|glow",
-    "metallic": r"metal",
-    "occlusion": r"occlusion|(^|[^a-z])ao([^a-z]|$)",
-    "height": r"height|displace|(^|[^a-z])disp([^a-z]|$)|bump|depth",
-    "opacity": r"opacity|alpha|mask",
+    "emission": MAP_WORDS["emissive"].slot,
+    "metallic": MAP_WORDS["metalness"].slot,
+    "occlusion": MAP_WORDS["ao"].slot,
+    "height": MAP_WORDS["height"].slot,
+    "opacity": MAP_WORDS["opacity"].slot,
 }
 _TAKEN = ("material", "example", "tilewright", "project", "index", "package", "places", "readme")
 """Files of the targets themselves."""
@@ -303,8 +304,8 @@ def _narrow(level: NDArray[Any], kind: str) -> NDArray[Any]:
     if level.dtype == np.uint16:
         values = level.astype(np.float32) / np.float32(65535)
         if kind == "color":
-            color = slice(0, values.shape[-1] - (values.shape[-1] in (2, 4)))
-            values[..., color] = to_linear(values[..., color])
+            light = without_alpha(values)
+            light[...] = to_linear(light)
         level = values
     most, largest = float(np.finfo(np.float16).max), float(np.abs(level).max())
     if largest > most:
@@ -330,9 +331,4 @@ def _pad(level: NDArray[Any], light: bool) -> NDArray[Any]:
     channels = level.shape[-1]
     if channels == 4 or (channels < 3 and not light):
         return np.ascontiguousarray(level)
-    one = 1 if level.dtype.kind == "f" else np.iinfo(level.dtype).max
-    padded = np.full((*level.shape[:-1], 4), one, level.dtype)
-    padded[..., :3] = level if channels == 3 else level[..., :1]
-    if channels == 2:
-        padded[..., 3] = level[..., 1]
-    return padded
+    return as_rgba(level)

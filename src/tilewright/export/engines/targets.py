@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tilewright.checks import check_choice, check_type
 from tilewright.export.engines.folder import Kit, find_objection, prepare
-from tilewright.files.atomic import whole_folder
+from tilewright.files.atomic import AnyPath, whole_folder
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
 
@@ -27,7 +27,7 @@ TARGETS = (
 """What `save_for_engine` writes for."""
 
 
-def save_for_engine(material: TextureTiles, folder: str | Path, to: str, *, seed: int = 0) -> None:
+def save_for_engine(material: TextureTiles, folder: AnyPath, to: str, *, seed: int = 0) -> None:
     """Write a folder that shows an endless texture in an engine or another program.
 
     It holds the textures with their mip levels in the form that the target takes, the shader in its
@@ -37,7 +37,7 @@ def save_for_engine(material: TextureTiles, folder: str | Path, to: str, *, seed
     ----------
     material : TextureTiles
         Texture tiles over a complete corner set of 1 to 8 colors.
-    folder : str or Path
+    folder : str or path-like
         Made whole or not at all. A folder of an earlier export is replaced, another one that is not empty
         refused.
     to : str

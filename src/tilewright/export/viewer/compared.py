@@ -15,6 +15,7 @@ from tilewright.fields import TextureField
 from tilewright.fields.photos.contenders import Contender, SideBySide
 from tilewright.fields.photos.gaussian import gaussianize
 from tilewright.fields.photos.methods import NoiseField, patch_range, triangle_grid
+from tilewright.pixels import without_alpha
 from tilewright.signals.textures import copy_from_sources
 
 # Figure -> (head of its column, what it says); those of contrast share a column.
@@ -35,8 +36,8 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
     name = compare.material.main
     light = compare.material.kinds[name] == "color"
     photo, note = screen_bytes(compare.photo, light)
-    if light and photo.shape[2] in (2, 4):
-        photo = np.ascontiguousarray(photo[..., :-1])
+    if light:
+        photo = np.ascontiguousarray(without_alpha(photo))
     planes = []
     for one in compare.contenders.values():
         plane: dict[str, Any] = {"name": one.name, "label": one.label}

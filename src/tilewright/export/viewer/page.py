@@ -19,7 +19,7 @@ from tilewright.export.viewer.parts import fill, part, shader
 from tilewright.export.viewer.pictures import describe_map
 from tilewright.export.viewer.sets import BAKED_CELLS, describe_set, is_baked
 from tilewright.fields.photos.contenders import SideBySide
-from tilewright.files.atomic import as_path, check_file, whole_file
+from tilewright.files.atomic import AnyPath, as_path, check_file, whole_file
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
 
@@ -28,7 +28,7 @@ _SHADERS = ("plane.frag", "mip.frag", "lattice.glsl", "tiles.glsl")
 
 
 def save_viewer(
-    material: TextureTiles, path: str | Path, *, seed: int = 0, compare: SideBySide | None = None
+    material: TextureTiles, path: AnyPath, *, seed: int = 0, compare: SideBySide | None = None
 ) -> None:
     """Write a page that shows an endless texture: pan, zoom, tilt, and compare with other methods.
 
@@ -41,7 +41,7 @@ def save_viewer(
         Tiles of any set. With complete sets, `summed_wang_tiles`, `shifted_wang_tiles` and their
         corner-coded forms the plane is endless; with others the page shows a patch of 256 x 256 cells from
         (0, 0) on, laid by `direct` where it can and by `scanline` where not, and the seed cannot be changed.
-    path : str or Path
+    path : str or path-like
         The ``.html`` file; its name is the page's title.
     seed : int, optional
         The seed of the tiling that the page starts with, 0 to 2^64 - 1; default 0.
@@ -88,7 +88,7 @@ def save_viewer(
         unfinished.write_text(page, encoding="utf-8")
 
 
-def check_page(path: str | Path) -> Path:
+def check_page(path: AnyPath) -> Path:
     """Where a page can be written; an error where not, before the work is done."""
     path = as_path(path)
     if path.suffix.lower() not in (".html", ".htm"):

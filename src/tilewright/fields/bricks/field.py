@@ -1,28 +1,39 @@
 """A wall as a field: its color, relief and bricks at any pixel of an endless plane."""
 
-import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_type
+from tilewright.checks import check_type
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields.bricks.patterns import SIZE, BrickPattern, Bricks, RegionBricks, WangBricks
 from tilewright.fields.bricks.relief import MARGIN, light
-from tilewright.files.atomic import as_path, whole_folder
-from tilewright.files.image_streams import stream_image
-from tilewright.files.images import check_writable
+from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
+from tilewright.files.atomic import AnyPath, as_path, whole_folder
 from tilewright.signals.bricks.painting import CHANCES, paint
 from tilewright.signals.bricks.style import BrickStyle, tint_bricks
-from tilewright.tilings import MixerHash, Tiling
+from tilewright.tilings import Domain, MixerHash, Tiling
 from tilewright.tilings.bricks import BrickRegion
 from tilewright.tilings.hashes import split_row
 from tilewright.tilings.streams import BRICK_CLASSES, BRICK_EDGES, WALL_LAYER
 
 MAPS = ("color", "height", "normal", "roughness", "mortar", "id")
+"""The maps that a wall is painted with; two more are pictures of them, see `BrickField`."""
+_FORMS = {
+    "preview": PixelMap(np.dtype(np.uint8), 3, "color"),
+    "color": PixelMap(np.dtype(np.uint8), 3, "color"),
+    "height": PixelMap(np.dtype(np.uint16), 1, "height"),
+    "normal": PixelMap(np.dtype(np.uint8), 3, "normal-gl"),
+    "roughness": PixelMap(np.dtype(np.uint8), 1, "roughness"),
+    "mortar": PixelMap(np.dtype(np.uint8), 1, "data"),
+    "id": PixelMap(np.dtype(np.int64), 2, "data"),
+    "id-color": PixelMap(np.dtype(np.uint8), 3, "data"),
+}
+_CUT = ("preview", "color")
+"""Maps that have a channel more in walls with holes."""
 FILES = {
     **{"color": "color.png", "height": "height.png", "normal": "normal_gl.png", "roughness": "roughness.png"},
     **{"mortar": "mortar.png", "id": "id.png", "preview": "preview.png"},
@@ -36,8 +47,15 @@ _BLOCK = 2**20
 """Pixels painted at a time, which are few enough for coordinates to be exact in float32."""
 
 
-class BrickField:
+class BrickField(PixelField):
     """A wall of bricks.
+
+    Its maps are ``preview``, uint8, the wall in sunlight from the north-west; ``color``, uint8 sRGB, not lit;
+    ``height``, uint16; ``normal``, uint8, green up, of those heights; ``roughness``, uint8;
+    ``mortar``, uint8, 255 where mortar is; ``id``, int64, two channels: who the brick is whose part the pixel
+    is, to the middle of the mortar, see `BrickPattern`; and ``id-color``, uint8, a color of its own for every
+    brick, 0 in holes. In a wall with holes, ``preview`` and ``color`` have a fourth channel, 0 in holes and
+    255 elsewhere, and ids are -1 in holes.
 
     Parameters
     ----------
@@ -101,46 +119,20 @@ class BrickField:
         self.style = style or BrickStyle()
         self.look = self.style.fit(self.pattern.course, self.pattern.thinnest)
         self.hash = MixerHash(seed)
+        self.reach = self.pattern.reach
+        x, y = (0 if bound is None else bound[0] for bound in self.domain.bounds)
+        self._has_holes = self.pattern.covers(x, y, 1, 1) is not None
 
-    def render(
-        self,
-        x: int = 0,
-        y: int = 0,
-        width: int = 1024,
-        height: int = 1024,
-        *,
-        maps: Sequence[str] = MAPS,
-    ) -> dict[str, NDArray[Any]]:
-        """Maps of a window of pixels, equal to the same pixels of any other window.
+    @property
+    def domain(self) -> Domain:
+        """Where there are pixels, and after how many of them they repeat, x first."""
+        return self.pattern.pixels
 
-        Parameters
-        ----------
-        x, y : int
-            North-west pixel.
-        width, height : int
-            Pixels.
-        maps : sequence of str
-            Which of `MAPS`.
-
-        Returns
-        -------
-        dict of str to array, shape (height, width, channels)
-            ``color`` uint8 sRGB, not lit; ``height`` uint16; ``normal`` uint8, green up, of those heights;
-            ``roughness`` uint8; ``mortar`` uint8, 255 where mortar is; ``id`` int64, two channels: who the
-            brick is whose part the pixel is, to the middle of the mortar, see `BrickPattern`. In a wall
-            with holes, ``color`` has a fourth channel, 0 in holes and 255 elsewhere, and ids are -1 in holes.
-        """
-        maps = tuple(check_choice("maps", name, MAPS) for name in maps)
-        x, y, width, height = self.pattern.check_window(x, y, width, height)
-        return self._render(x, y, width, height, maps)
-
-    def preview(self, x: int = 0, y: int = 0, width: int = 1024, height: int = 1024) -> NDArray[np.uint8]:
-        """The wall in sunlight from the north-west, uint8 sRGB, shape (height, width, 3).
-
-        A wall with holes has a fourth channel, as in `render`.
-        """
-        x, y, width, height = self.pattern.check_window(x, y, width, height)
-        return self._preview(x, y, width, height)
+    @property
+    def maps(self) -> dict[str, PixelMap]:
+        """The type, channels and kind of every map; the first is the main one."""
+        more = _CUT if self._has_holes else ()
+        return _FORMS | {name: _FORMS[name]._replace(channels=4) for name in more}
 
     def bricks(self, x: int, y: int, width: int, height: int) -> Bricks:
         """Find all bricks that touch a window of pixels.
@@ -186,88 +178,90 @@ class BrickField:
 
     def save(
         self,
-        path: str | os.PathLike[str],
+        path: AnyPath,
         x: int = 0,
         y: int = 0,
         width: int = 1024,
         height: int = 1024,
         *,
-        map: str = "preview",
+        map: str | None = None,
         progress: Progress | None = None,
     ) -> None:
         """Write a window to a picture, or all of its maps to a folder, a block at a time.
 
         Parameters
         ----------
-        path : str or Path
-            ``.png``, ``.tif``: a picture of ``map``. Without a suffix: a folder of pictures, see `FILES`, in
-            which each brick has a color of its own for its id. Both are there whole or not at all.
-        map : str
-            ``"preview"`` or one of `MAPS`, for a single picture.
+        path : str or path-like
+            ``.png``, ``.tif``: a picture of ``map``. Without a suffix: a folder of pictures, see `FILES`.
+            Both are there whole or not at all.
+        x, y : int, optional
+            North-west pixel of the window; default (0, 0).
+        width, height : int, optional
+            Size of the window in pixels, 1 to 2^31 - 1; default 1024 each.
+        map : str, optional
+            For a single picture; by default ``"preview"``. Of ``"id"`` the colors are written.
+        progress : callable, optional
+            Called as ``progress(done, total, what)``, counted in rows of each picture; raise `Cancelled` in
+            it to stop.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number that is not an integer, something else than a path, or a map that files of this suffix
+            do not hold.
+        TilewrightValueError
+            A window that does not lie in the wall, an unknown map, or another suffix.
+        TilewrightFileError
+            The files cannot be written, or the folder holds something else.
         """
         target = as_path(path)
-        x, y, width, height = self.pattern.check_window(x, y, width, height)
         if target.suffix:
-            check_choice("map", map, ("preview", *MAPS))
-            self._stream(target, map, (x, y, width, height), progress)
+            super().save(target, x, y, width, height, map=map, progress=progress)
             return
+        window = self._window(x, y, width, height)
         with whole_folder(target, _object) as folder:
             for name, file in FILES.items():
-                self._stream(folder / file, name, (x, y, width, height), progress)
+                super().save(folder / file, *window, map=name, progress=progress)
 
-    def _stream(
-        self, path: Path, name: str, window: tuple[int, int, int, int], progress: Progress | None
-    ) -> None:
-        x, y, width, height = window
-        sample = self._picture(name, x, y, 1, 1)
-        check_writable(path, sample.dtype)
+    @property
+    def _usual(self) -> list[str]:
+        return list(MAPS)
 
-        def block(left: int, top: int, columns: int, rows: int) -> NDArray[Any]:
-            if progress is not None:
-                progress(top, height, f"painting {path.name}")
-            return self._picture(name, x + left, y + top, columns, rows)
+    def _pictured(self, map: str) -> str:
+        return "id-color" if map == "id" else map
 
-        stream_image(path, block, height, width, sample.shape[2], sample.dtype)
-        if progress is not None:
-            progress(height, height, f"painting {path.name}")
+    def _paint(self, window: PixelWindow, outs: Mapping[str, NDArray[Any]]) -> None:
+        pictures = {"preview": self._light, "id-color": self._color_ids}
+        maps = {name: out for name, out in outs.items() if name not in pictures}
+        if maps:
+            self._paint_maps(window, maps)
+        for name in outs.keys() & pictures:
+            pictures[name](window, outs[name])
 
-    def _picture(self, name: str, x: int, y: int, width: int, height: int) -> NDArray[Any]:
-        if name == "preview":
-            return self._preview(x, y, width, height)
-        if name == "id":
-            index, found = self.pattern.locate(x, y, width, height)
-            colors = np.zeros((len(found.ids) + 1, 3), np.uint8)  # the last is that of holes, -1
-            colors[:-1] = self._chances(found)[:3].T * 256
-            return colors[index]
-        return self._render(x, y, width, height, (name,))[name]
+    def _light(self, window: PixelWindow, out: NDArray[Any]) -> None:
+        """The wall in sunlight, with the shadows that bricks around the window throw into it."""
+        around = window.grow(MARGIN)
+        maps = {name: self._make_out(around, name) for name in ("color", "height", "normal")}
+        self._paint_maps(around, maps)
+        out[...] = light(maps, self.look.relief)
 
-    def _preview(self, x: int, y: int, width: int, height: int) -> NDArray[np.uint8]:
-        around = self._render(
-            x - MARGIN, y - MARGIN, width + 2 * MARGIN, height + 2 * MARGIN, ("color", "height", "normal")
-        )
-        return light(around, self.look.relief)
+    def _color_ids(self, window: PixelWindow, out: NDArray[Any]) -> None:
+        index, found = self.pattern.locate(*window)
+        colors = np.zeros((len(found.ids) + 1, 3), np.uint8)  # the last is that of holes, -1
+        colors[:-1] = self._chances(found)[:3].T * 256
+        out[...] = colors[index]
 
-    def _render(
-        self, x: int, y: int, width: int, height: int, maps: Sequence[str]
-    ) -> dict[str, NDArray[Any]]:
+    def _paint_maps(self, window: PixelWindow, outs: Mapping[str, NDArray[Any]]) -> None:
         """Painted in blocks: of rows, or of parts of rows where these are long."""
-        columns = min(width, _BLOCK // 16)
-        rows = max(16, _BLOCK // columns)
-        out: dict[str, NDArray[Any]] = {}
-        for top in range(0, height, rows):
-            for left in range(0, width, columns):
-                block = slice(top, min(top + rows, height)), slice(left, min(left + columns, width))
-                painted = self._paint(x + left, y + top, block[1].stop - left, block[0].stop - top, maps)
-                for name, pixels in painted.items():
-                    if name not in out:
-                        out[name] = np.empty((height, width, pixels.shape[2]), pixels.dtype)
-                    out[name][block] = pixels
-        return out
+        columns = min(window.width, _BLOCK // 16)
+        for piece, at in window.split(columns, max(16, _BLOCK // columns)):
+            for name, pixels in self._paint_block(piece, tuple(outs)).items():
+                outs[name][at] = pixels
 
-    def _paint(self, x: int, y: int, width: int, height: int, maps: Sequence[str]) -> dict[str, NDArray[Any]]:
+    def _paint_block(self, window: PixelWindow, maps: Sequence[str]) -> dict[str, NDArray[Any]]:
         """A block, from the bricks of its pixels and one more around it, which normals need."""
-        x, y = x - 1, y - 1
-        index, found = self.pattern._locate(x, y, width + 2, height + 2)
+        x, y, width, height = window.grow(1)
+        index, found = self.pattern._locate(x, y, width, height)
         units = x // self.pattern.unit[0], y // self.pattern.unit[1]
         start = x % self.pattern.unit[0], y % self.pattern.unit[1]
 
@@ -284,7 +278,7 @@ class BrickField:
             )
         if "id" in maps:
             painted["id"] = found.ids[index[1:-1, 1:-1]]
-        covered = self.pattern.covers(x + 1, y + 1, width, height)
+        covered = self.pattern.covers(*window)
         return {name: _cut(name, painted[name], covered) for name in maps}
 
     def _chances(self, found: Bricks) -> NDArray[np.float64]:

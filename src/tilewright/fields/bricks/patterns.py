@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.checks import check_int, type_error
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.errors import TilewrightTypeError
+from tilewright.fields.plane import PixelWindow, check_pixel_window
+from tilewright.showing import describe
 from tilewright.signals.bricks.edges import check_traversed, find_thinnest, place_positions
 from tilewright.tilings import Domain, Tiling
 from tilewright.tilings.bricks import BrickRegion
@@ -17,7 +19,6 @@ from tilewright.tilings.domain import LARGEST_CELL, fold
 
 SIZE = (144, 48)
 """Width and height of a usual brick in pixels."""
-_LARGEST_SIDE = 2**31 - 1
 _LARGEST_BRICK = 4096
 _MARGIN = 4
 """Units around a window that are asked for besides, which must not leave the plane."""
@@ -63,10 +64,13 @@ class BrickPattern(ABC):
     thinnest: int
     domain: Domain
 
+    def __repr__(self) -> str:
+        width, height = self.unit
+        return describe(self, f"units of {width} x {height} pixels", str(self.domain))
+
     def bricks(self, x: int, y: int, width: int, height: int) -> Bricks:
         """All bricks that touch a window of pixels; pixel (0, 0) is the north-west one of unit (0, 0)."""
-        x, y, width, height = self.check_window(x, y, width, height)
-        return self._find(x, y, width, height)
+        return self._find(*self.check_window(x, y, width, height))
 
     def locate(self, x: int, y: int, width: int, height: int) -> tuple[NDArray[np.int32], Bricks]:
         """The brick of each pixel of a window, int32 (height, width): its place in the `Bricks` there.
@@ -84,21 +88,20 @@ class BrickPattern(ABC):
         """Which pixels of a window the wall covers, shape (height, width); None where it has no holes."""
         return None
 
-    def check_window(self, x: int, y: int, width: int, height: int) -> tuple[int, int, int, int]:
+    def check_window(self, x: int, y: int, width: int, height: int) -> PixelWindow:
         """A window of pixels as integers of any size; raise unless it lies in the wall."""
-        for axis, (first, count) in enumerate(((x, width), (y, height))):
-            name, extent = "xy"[axis], ("width", "height")[axis]
-            count = check_int(extent, count, 1, _LARGEST_SIDE)
-            bound = self.domain.bounds[axis]
-            reach = LARGEST_CELL - _MARGIN
-            low, high = ((-reach, reach) if bound is None else bound)[:2]
-            low, high = low * self.unit[axis], high * self.unit[axis]
-            if bound is not None and count > high - low:
-                raise TilewrightValueError(
-                    f"is {count}; the wall has {high - low} pixels", argument=extent, value=count
-                )
-            check_int(name, first, low, high - count)
-        return int(x), int(y), int(width), int(height)
+        return check_pixel_window(self.pixels, self.reach, x, y, width, height)
+
+    @property
+    def pixels(self) -> Domain:
+        """The domain in pixels."""
+        return self.domain.scaled(*self.unit)
+
+    @property
+    def reach(self) -> tuple[int, int]:
+        """Pixels from the origin that an endless wall reaches to, along x and y."""
+        width, height = self.unit
+        return (LARGEST_CELL - _MARGIN) * width, (LARGEST_CELL - _MARGIN) * height
 
     def _locate(self, x: int, y: int, width: int, height: int) -> tuple[NDArray[np.int32], Bricks]:
         """`locate`, also a few pixels beyond a wall and into its holes, where the bricks at its rim go on."""

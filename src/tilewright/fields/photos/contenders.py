@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 from tilewright.checks import check_type
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields.photos.methods import HexField, NoiseField, PhotoField, RepeatField
+from tilewright.fields.plane import PixelField
 from tilewright.fields.textures import TextureField
+from tilewright.showing import describe
 from tilewright.signals.textures import TextureTiles
 from tilewright.tiles import corner_tiles, wang_tiles
 from tilewright.tilings import stochastic
@@ -28,7 +30,7 @@ class Contender:
         ``"repeat"``, ``"hex"``, ``"noise"``, ``"wang"`` or ``"corner"``.
     label : str
         What a person calls it.
-    field : TextureField or PhotoField
+    field : PixelField
         The plane; its ``render`` gives pixels.
     lattice : int64 array, shape (2, 2)
         Two vectors (x, y), in pixels, of the lattice that the method works on.
@@ -42,7 +44,7 @@ class Contender:
 
     name: str
     label: str
-    field: TextureField | PhotoField
+    field: PixelField
     lattice: NDArray[np.int64]
     fetches: int
     table_fetches: int
@@ -70,6 +72,9 @@ class SideBySide:
     seed: int
     contenders: dict[str, Contender]
     figures: dict[str, dict[str, float]] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        return describe(self, *self.contenders, f"seed {self.seed}", repr(self.material))
 
     @property
     def photo(self) -> NDArray[Any]:

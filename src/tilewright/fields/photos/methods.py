@@ -3,32 +3,36 @@
 These are the methods that tiles are compared with; `tilewright.compare_textures` measures them.
 """
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
+from collections.abc import Mapping
+from os import PathLike
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int
 from tilewright.fields.photos.gaussian import gaussianize
+from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
+from tilewright.files.images import open_picture
+from tilewright.pixels import LUMA
 from tilewright.signals.textures.exemplar import check_map
 from tilewright.signals.textures.kinds import from_values, to_values
-from tilewright.tilings import MixerHash
+from tilewright.tilings import Domain, MixerHash
 from tilewright.tilings.streams import PATCH_COLUMNS, PATCH_ROWS
 
-LUMINANCE = np.array((0.299, 0.587, 0.114), np.float32)
+_LUMA = np.array(LUMA, np.float32)
 CONTRAST, EXPONENT = 0.6, 7
 """How much a patch's brightness and its place count in hex-tiling (Mikkelsen 2022)."""
 _REACH = 2**62
 _BLOCK = 2**18
 
 
-class PhotoField(ABC):
-    """A plane made from one photograph.
+class PhotoField(PixelField):
+    """A plane made from one photograph, which reaches to pixels +-2^62.
 
     Parameters
     ----------
-    photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
+    photo : path, Pillow image, or array of shape (h, w, channels) or (h, w), uint8, uint16 or float32
         The photograph, 32 to 32,768 pixels on each side.
     kind : str, optional
         What it holds: ``"color"`` (default), ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
@@ -41,32 +45,29 @@ class PhotoField(ABC):
     """
 
     lattice: NDArray[np.int64]
+    reach = (_REACH, _REACH)
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color") -> None:
-        self.photo = check_map("photo", photo)
+    def __init__(self, photo: Any, kind: str = "color") -> None:
+        opened = open_picture("photo", photo) if isinstance(photo, str | PathLike) else photo
+        self.photo = check_map("photo", opened)
         self.kind = kind
 
-    def render(self, x: int = 0, y: int = 0, width: int = 1024, height: int = 1024) -> NDArray[Any]:
-        """Pixels of a window, equal to the same pixels of any other window.
+    @property
+    def domain(self) -> Domain:
+        """Where there are pixels, and after how many of them they repeat, x first."""
+        return Domain()
 
-        Parameters
-        ----------
-        x, y : int
-            North-west pixel, within +-2^62.
-        width, height : int
-            Pixels.
+    @property
+    def maps(self) -> dict[str, PixelMap]:
+        """The type, channels and kind of the one map, ``"photo"``."""
+        return {"photo": PixelMap(self.photo.dtype, self.photo.shape[2], self.kind)}
 
-        Returns
-        -------
-        array, shape (height, width, channels), of the photograph's type
-        """
-        width, height = (check_int(n, v, 1, 2**31 - 1) for n, v in (("width", width), ("height", height)))
-        x, y = (check_int(n, v, -_REACH, _REACH) for n, v in (("x", x), ("y", y)))
-        out = np.empty((height, width, self.photo.shape[2]), self.photo.dtype)
-        rows = max(1, _BLOCK // width)
-        for top in range(0, height, rows):
-            out[top : top + rows] = self._fill(x, y + top, width, min(rows, height - top))
-        return out
+    def _paint(self, window: PixelWindow, outs: Mapping[str, NDArray[Any]]) -> None:
+        """Painted in blocks of rows."""
+        for out in outs.values():
+            columns = min(window.width, _BLOCK)
+            for piece, at in window.split(columns, max(1, _BLOCK // columns)):
+                out[at] = self._fill(*piece)
 
     @abstractmethod
     def _fill(self, x: int, y: int, width: int, height: int) -> NDArray[Any]:
@@ -78,7 +79,7 @@ class RepeatField(PhotoField):
 
     Parameters
     ----------
-    photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
+    photo : path, Pillow image, or array of shape (h, w, channels) or (h, w), uint8, uint16 or float32
         The photograph, 32 to 32,768 pixels on each side.
     kind : str, optional
         What it holds: ``"color"`` (default), ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
@@ -95,10 +96,15 @@ class RepeatField(PhotoField):
         A photograph of another type, shape or size, or one that holds NaN or infinity.
     """
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color") -> None:
+    def __init__(self, photo: Any, kind: str = "color") -> None:
         super().__init__(photo, kind)
         h, w = self.photo.shape[:2]
         self.lattice = np.array([[w, 0], [0, h]])
+
+    @property
+    def domain(self) -> Domain:
+        """The plane, which repeats after the size of the photograph."""
+        return Domain(self.photo.shape[1::-1], (None, None))
 
     def _fill(self, x: int, y: int, width: int, height: int) -> NDArray[Any]:
         h, w = self.photo.shape[:2]
@@ -131,7 +137,7 @@ class BlendField(PhotoField):
         The first place, and how many, that the middle of a patch may have in x and in y.
     """
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
+    def __init__(self, photo: Any, kind: str = "color", *, seed: int = 0) -> None:
         super().__init__(photo, kind)
         self.hash = MixerHash(seed)
         self.edge, self.row = triangle_grid(self.photo.shape[:2])
@@ -192,7 +198,7 @@ class HexField(BlendField):
 
     Parameters
     ----------
-    photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
+    photo : path, Pillow image, or array of shape (h, w, channels) or (h, w), uint8, uint16 or float32
         The photograph, 32 to 32,768 pixels on each side.
     kind : str, optional
         What it holds: ``"color"`` (default), ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
@@ -218,7 +224,7 @@ class HexField(BlendField):
     light. There is nothing to prepare, and no table.
     """
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
+    def __init__(self, photo: Any, kind: str = "color", *, seed: int = 0) -> None:
         super().__init__(photo, kind, seed=seed)
         self._values = to_values(self.photo, kind)
 
@@ -226,7 +232,7 @@ class HexField(BlendField):
         self, weights: NDArray[np.float64], rows: NDArray[np.int64], columns: NDArray[np.int64]
     ) -> NDArray[Any]:
         values = self._values[rows, columns]
-        bright = values[..., :3] @ LUMINANCE if values.shape[-1] >= 3 else values[..., 0]
+        bright = values[..., :3] @ _LUMA if values.shape[-1] >= 3 else values[..., 0]
         weights = (1 + CONTRAST * (bright - 1)) * weights**EXPONENT
         weights /= weights.sum(axis=0)
         blended = (weights[..., np.newaxis] * values).sum(axis=0)
@@ -238,7 +244,7 @@ class NoiseField(BlendField):
 
     Parameters
     ----------
-    photo : array, shape (h, w, channels) or (h, w), uint8, uint16 or float32
+    photo : path, Pillow image, or array of shape (h, w, channels) or (h, w), uint8, uint16 or float32
         The photograph, 32 to 32,768 pixels on each side.
     kind : str, optional
         What it holds: ``"color"`` (default), ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
@@ -265,7 +271,7 @@ class NoiseField(BlendField):
     weights, which keeps their variance; a table leads back.
     """
 
-    def __init__(self, photo: NDArray[Any], kind: str = "color", *, seed: int = 0) -> None:
+    def __init__(self, photo: Any, kind: str = "color", *, seed: int = 0) -> None:
         super().__init__(photo, kind, seed=seed)
         self._low, self._high = _bounds(self.photo)
         self.gaussian = gaussianize((self.photo - self._low) / (self._high - self._low))

@@ -7,27 +7,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_int, check_out, check_real
+from tilewright.checks import check_function_of_place, check_int, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.fields.agreement import check_agreement
 from tilewright.fields.points.nearest import NearestSearch
-from tilewright.fields.points.thinning import DensityFunction, draw_lowest, evaluate_density, share_out
-from tilewright.fields.points.window import MOST_POINTS, PointWindow, View, Window
+from tilewright.fields.points.thinning import Density, draw_lowest, share_out
+from tilewright.fields.points.window import MOST_POINTS, PointWindow, View, Window, fit_out, make_out
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.point_set import PointSet
+from tilewright.showing import Shown, describe
 from tilewright.signals.points import PointTiles
 from tilewright.tilings import MixerHash, Tiling
+from tilewright.tilings.density import evaluate_density
 from tilewright.tilings.direct_tiling import DirectTiling
 from tilewright.tilings.domain import LARGEST_CELL
 from tilewright.tilings.streams import VARIANTS
 
-Density = float | DensityFunction
-"""A share 0 to 1 of the points, or a function that gives it at points, shape (n, 2) -> (n,)."""
-
 _BLOCK_POINTS = 2**22
 
 
-class PointField:
+class PointField(Shown):
     """Point tiles laid by a tiling.
 
     Parameters
@@ -50,6 +49,9 @@ class PointField:
         self._same = int(counts[0]) if (counts == counts[0]).all() else 0
         self._bits = max(int(counts.max()) - 1, 1).bit_length()
 
+    def __repr__(self) -> str:
+        return describe(self, repr(self.tiles), repr(self.tiling))
+
     def points(
         self,
         x: float = 0,
@@ -70,8 +72,9 @@ class PointField:
         width, height : float
             In tiles.
         density : float or function, optional
-            Keep this share of the points, the first of them by rank. A function is called with points,
-            float64, shape (n, 2), and answers shares from 0 to 1 for each.
+            Keep this share of the points, the first of them by rank. A function ``density(x, y)`` gets two
+            float64 arrays of shape (n,), the points as they are asked for, and answers the share of each, 0
+            to 1, in an array of that shape.
         local : bool
             Measure from the window's corner instead of from the origin, which keeps far windows exact.
         out : float32 or float64 array, shape (at least as many as come, 2), C-contiguous, optional
@@ -309,14 +312,16 @@ class PointField:
         from tilewright.kernels.emission import lay_points, lay_whole_tiles
 
         tiles, function = self.tiles, density if callable(density) else None
+        if function is not None:
+            check_function_of_place("density", function)
         if out is not None:
-            _check_out(out, 0)
-        rank = 1.0 if callable(density) else _check_share(density)
+            fit_out(out, 0)
+        rank = _check_share(density) if function is None else 1.0
         named = named or function is not None
         whole = view.window.is_whole and self._same > 0 and rank >= 1 and not named
         counts = None if whole else self._counts(view, rank)
         n = view.cells.size * self._same if counts is None else int(counts.sum())
-        target = _check_out(out, n) if function is None else _make_out(n)
+        target = fit_out(out, n) if function is None else make_out(n)
         kinds = (target.dtype,) if out is None else (target.dtype, out.dtype)
         x0, y0 = view.window.origin(local, kinds, self._spacing)
         names = np.zeros((n if named else 0, 3), np.int64)
@@ -329,9 +334,9 @@ class PointField:
             )  # fmt: skip
         if function is None:
             return target, names
-        kept = self._ranks_of(view, names) < evaluate_density(function, target)
+        kept = self._ranks_of(view, names) < evaluate_density(function, *target.T)
         if out is not None:
-            kept_out = _check_out(out, int(kept.sum()))
+            kept_out = fit_out(out, int(kept.sum()))
             kept_out[...] = target[kept]
             return kept_out, names[kept]
         return target[kept], names[kept]
@@ -367,24 +372,3 @@ class PointField:
 
 def _check_share(density: Any) -> float:
     return check_real("density", density, 0.0, 1.0)
-
-
-def _make_out(n: int) -> NDArray[np.float64]:
-    try:
-        return np.empty((n, 2))
-    except MemoryError:
-        raise TilewrightValueError(
-            f"{n} points do not fit in memory", advice="blocks() gives them a piece at a time"
-        ) from None
-
-
-def _check_out(out: Any, n: int) -> NDArray[Any]:
-    if out is None:
-        return _make_out(n)
-    kinds = (np.float32, np.float64)
-    check_out(
-        out,
-        lambda o: o.ndim == 2 and o.shape[1] == 2 and len(o) >= n and o.dtype in kinds,
-        f"float32 or float64 (at least {n}, 2)",
-    )
-    return out[:n]

@@ -1,17 +1,17 @@
 """Fewer points, by their ranks: a given number of a window's, or a share that changes from place to place."""
 
-from collections.abc import Callable
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.errors import TilewrightValueError
 from tilewright.fields.points.window import PointWindow, View
 from tilewright.signals.points import PointTiles
 from tilewright.tilings import MixerHash
+from tilewright.tilings.density import Density as DensityFunction
 from tilewright.tilings.streams import LOTS
 
-DensityFunction = Callable[[NDArray[np.float64]], ArrayLike]
+Density = float | DensityFunction
+"""A share 0 to 1 of the points, or a function of x and y that gives it at every place."""
 
 
 def share_out(tiles: PointTiles, view: View, count: int) -> NDArray[np.int32]:
@@ -42,33 +42,6 @@ def draw_lowest(window: PointWindow, count: int) -> NDArray[np.intp]:
     x, y = window.cells.T
     lots = MixerHash(0).words(LOTS, x, y, window.numbers)
     return np.sort(np.lexsort((lots, window.ranks))[:count])
-
-
-def evaluate_density(density: DensityFunction, points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """What a density function says of points, if it says a share for each."""
-    shown = points.view()
-    shown.setflags(write=False)
-    try:
-        shares = np.asarray(density(shown))
-    except ValueError as error:
-        if "read-only" in str(error):
-            raise TilewrightValueError("the density function writes into the points it is given") from None
-        raise
-    if shares.dtype.kind not in "biuf":
-        raise TilewrightTypeError(f"the density function answered {shares.dtype}; expected numbers")
-    shares = shares.astype(np.float64)
-    if shares.shape != (len(points),):
-        raise TilewrightValueError(
-            f"the density function answered shape {shares.shape} for {len(points)} points; expected one "
-            "number for each"
-        )
-    bad = ~((shares >= 0) & (shares <= 1))
-    if bad.any():
-        at = int(np.argmax(bad))
-        raise TilewrightValueError(
-            f"the density function is {shares[at]} at {tuple(points[at].tolist())}; shares are 0 to 1"
-        )
-    return shares
 
 
 def _check_enough(count: int, there: int) -> None:

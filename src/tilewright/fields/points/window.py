@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int, check_real
+from tilewright.checks import check_int, check_out, check_real
 from tilewright.errors import TilewrightValueError
+from tilewright.showing import Shown, describe, many
 from tilewright.tilings.domain import LARGEST_CELL
 
 MOST_POINTS = 2**31
@@ -19,7 +20,7 @@ _COARSEST = 0.01
 
 
 @dataclass(frozen=True, eq=False)
-class PointWindow:
+class PointWindow(Shown):
     """Points of a window and who they are.
 
     Attributes
@@ -41,6 +42,15 @@ class PointWindow:
     numbers: NDArray[np.int64]
     ranks: NDArray[np.float32]
     bits: int
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    def __repr__(self) -> str:
+        return describe(self, many(len(self), "point"), f"numbers of {self.bits} bits")
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        return np.array(self.points, dtype, copy=copy)
 
     @property
     def ids(self) -> NDArray[np.uint64]:
@@ -180,3 +190,26 @@ def _place(name: str, value: Any) -> int | float:
     if isinstance(value, (int, np.integer)) and not isinstance(value, bool):
         return check_int(name, value, -LARGEST_CELL, LARGEST_CELL)
     return check_real(name, value, -float(LARGEST_CELL), float(LARGEST_CELL))
+
+
+def make_out(n: int) -> NDArray[np.float64]:
+    """An array for ``n`` points."""
+    try:
+        return np.empty((n, 2))
+    except MemoryError:
+        raise TilewrightValueError(
+            f"{n} points do not fit in memory", advice="blocks() gives them a piece at a time"
+        ) from None
+
+
+def fit_out(out: Any, n: int) -> NDArray[Any]:
+    """The first ``n`` rows of a given array, or a new one for None."""
+    if out is None:
+        return make_out(n)
+    kinds = (np.float32, np.float64)
+    check_out(
+        out,
+        lambda given: given.ndim == 2 and given.shape[1] == 2 and len(given) >= n and given.dtype in kinds,
+        f"float32 or float64 (at least {n}, 2)",
+    )
+    return np.asarray(out)[:n]

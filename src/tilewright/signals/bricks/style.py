@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_int, check_real, range_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.pixels import read_hex
 
 Color = tuple[int, int, int]
 
@@ -180,8 +181,7 @@ def tint_bricks(style: BrickStyle, chances: NDArray[np.float64]) -> NDArray[np.f
 
 def _read(written: str) -> list[Color]:
     """Colors written in hexadecimal digits."""
-    red, green, blue = ([int(word[at : at + 2], 16) for word in written.split()] for at in (0, 2, 4))
-    return list(zip(red, green, blue, strict=True))
+    return [read_hex(f"#{word}") for word in written.split()]
 
 
 def _pick(palette: NDArray[np.float64], chance: NDArray[np.float64]) -> NDArray[np.float64]:

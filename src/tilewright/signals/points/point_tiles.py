@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_int, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.showing import Shown, describe, many
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
 
@@ -15,7 +16,7 @@ _ONE = np.nextafter(np.float32(1), np.float32(0))
 
 
 @dataclass(frozen=True, eq=False)
-class PointTiles:
+class PointTiles(Shown):
     """Points over a tile set: V variants of T tiles.
 
     Attributes
@@ -145,6 +146,13 @@ class PointTiles:
             starts,
             np.clip(sorted_ranks.astype(np.float32), 0, _ONE),
             **rest,
+        )
+
+    def __repr__(self) -> str:
+        each = f"{many(round(self.density, 3), 'point')} each"
+        more = [f"{self.variants} variants"] if self.variants > 1 else []
+        return describe(
+            self, f"{self.tiles!r}", each, *more, f"method {self.method}", f"distance {self.distance:.6g}"
         )
 
     @property

@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_real, shape_error, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.pixels import as_pixels
+from tilewright.showing import describe
 from tilewright.signals.textures.kinds import KINDS, guess_kind, is_normal
 
 Maps = dict[str, NDArray[Any]]
@@ -72,6 +74,10 @@ class Exemplar:
     masks: tuple[NDArray[np.bool_], ...]
     weights: dict[str, float]
     kinds: dict[str, str]
+
+    def __repr__(self) -> str:
+        sizes = (f"{m.shape[1]} x {m.shape[0]}" for m in (next(iter(s.values())) for s in self.sources))
+        return describe(self, f"{' and '.join(sizes)} pixels", *(f"{n} ({k})" for n, k in self.kinds.items()))
 
     def __init__(
         self,
@@ -159,7 +165,7 @@ def _check_source(number: int, source: Maps) -> Maps:
 
 def check_map(what: str, given: Any) -> NDArray[Any]:
     """Pixels a texture can be made from, shape (h, w, channels); ``what`` they are, for messages."""
-    pixels = np.asarray(given)
+    pixels = np.asarray(as_pixels(what, given))
     if pixels.dtype == np.float64 or pixels.dtype == np.float16:
         with np.errstate(over="ignore"):  # what does not fit is refused below
             pixels = pixels.astype(np.float32)

@@ -6,37 +6,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.pixels import MAP_WORDS, has_alpha, white, without_alpha
+
 KINDS = ("color", "data", "roughness", "height", "normal-gl", "normal-dx")
 """Light (sRGB where 8 or 16 bit, linear where float); numbers; roughness of a surface; heights of a surface;
 normals in tangent space with green up (OpenGL) or down (DirectX)."""
 
 Values = NDArray[np.float32]
 
-_WORDS = {
-    "normal-gl": ("normal", "normals", "normalgl", "normalogl", "nor", "nrm", "norm", "ogl"),
-    "normal-dx": ("normaldx",),
-    "roughness": ("roughness", "rough", "rgh"),
-    "height": ("height", "depth", "displacement", "displace", "disp", "bump", "elevation"),
-    "data": (
-        *(
-            "metalness",
-            "metallic",
-            "metal",
-            "ambientocclusion",
-            "occlusion",
-            "occ",
-            "ao",
-            "arm",
-            "orm",
-            "rma",
-            "mra",
-        ),
-        *("mask", "gloss", "glossiness", "smoothness", "specular", "opacity", "alpha", "thickness", "index"),
-        *("cavity", "curvature"),
-    ),
-    "color": ("albedo", "color", "colour", "col", "diffuse", "diff", "basecolor", "emissive", "emission"),
-}
-"""Words of map names, the last of which tells."""
 _DIRECTX = ("dx", "directx", "d3d")
 
 
@@ -45,7 +22,7 @@ def guess_kind(name: str) -> str:
     spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
     words = re.findall("[a-z]+", spaced.lower())
     for word in reversed(words):
-        for kind, known in _WORDS.items():
+        for kind, _, known, _ in MAP_WORDS.values():
             # Longer words are also known by their beginning: heightmap, displacementmap.
             if word in known or any(len(k) > 3 and word.startswith(k) for k in known):
                 directx = kind == "normal-gl" and any(w in _DIRECTX for w in words)
@@ -69,7 +46,7 @@ def to_values(pixels: NDArray[Any], kind: str) -> Values:
     if kind == "color":
         return _premultiplied(to_linear(scaled) if pixels.dtype.kind == "u" else scaled, scaled)
     if kind == "roughness":
-        rough = _without_alpha(scaled)
+        rough = without_alpha(scaled)
         rough[...] = np.maximum(rough, 0) ** 4
         return scaled
     if is_normal(kind):
@@ -84,11 +61,11 @@ def from_values(values: Values, kind: str, like: NDArray[Any]) -> NDArray[Any]:
     if kind == "color":
         values = _divided(values)
         shown = to_encoded(values) if like.dtype.kind == "u" else values
-        if values.shape[-1] in (2, 4):
+        if has_alpha(values.shape[-1]):
             shown[..., -1] = values[..., -1]
     elif kind == "roughness":
         shown = values.copy()
-        rough = _without_alpha(shown)
+        rough = without_alpha(shown)
         rough[...] = rough**0.25
     elif is_normal(kind):
         shown = values.copy()
@@ -99,8 +76,7 @@ def from_values(values: Values, kind: str, like: NDArray[Any]) -> NDArray[Any]:
         shown = values
     if like.dtype.kind == "f":
         return shown.astype(like.dtype)
-    white = np.iinfo(like.dtype).max
-    return np.rint(np.clip(shown, 0, 1) * white).astype(like.dtype)
+    return np.rint(np.clip(shown, 0, 1) * white(like.dtype)).astype(like.dtype)
 
 
 def unit(vectors: Values) -> Values:
@@ -133,23 +109,18 @@ def to_encoded(linear: NDArray[Any]) -> Values:
 def _scaled(pixels: NDArray[Any]) -> Values:
     if pixels.dtype.kind == "f":
         return pixels.astype(np.float32)
-    return pixels.astype(np.float32) / np.float32(np.iinfo(pixels.dtype).max)
-
-
-def _without_alpha(values: Values) -> Values:
-    """A view of all channels but the last of 2 or 4."""
-    return values[..., :-1] if values.shape[-1] in (2, 4) else values
+    return pixels.astype(np.float32) / np.float32(white(pixels.dtype))
 
 
 def _premultiplied(light: Values, scaled: Values) -> Values:
-    if light.shape[-1] not in (2, 4):
+    if not has_alpha(light.shape[-1]):
         return light
     alpha = scaled[..., -1:]
     return np.concatenate([light[..., :-1] * alpha, alpha], axis=-1)
 
 
 def _divided(values: Values) -> Values:
-    if values.shape[-1] not in (2, 4):
+    if not has_alpha(values.shape[-1]):
         return values
     alpha = values[..., -1:]
     return np.concatenate([values[..., :-1] / np.maximum(alpha, 1e-6), alpha], axis=-1)

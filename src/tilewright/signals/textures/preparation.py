@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, zoom
 
 from tilewright.errors import TilewrightValueError, TilewrightWarning
+from tilewright.pixels import without_alpha
 from tilewright.signals.textures.kinds import from_values, is_normal, is_signed, to_values
 
 Maps = dict[str, NDArray[Any]]
@@ -174,7 +175,7 @@ def flatten_light(pixels: NDArray[Any]) -> NDArray[Any]:
     Every channel is multiplied, in linear light, by its mean over its low-passed self.
     """
     values = to_values(pixels, "color")
-    colors = values[..., :-1] if values.shape[-1] in (2, 4) else values
+    colors = without_alpha(values)
     sigma = LIGHT * min(colors.shape[:2])
     slow = gaussian_filter(np.maximum(colors, 0), (sigma, sigma, 0), mode="reflect")
     mean = np.maximum(colors, 0).mean(axis=(0, 1), dtype=np.float64)

@@ -7,13 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.checks import shape_error
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.showing import Shown, describe, many
 from tilewright.signals.textures.kinds import guess_kind
 from tilewright.tiles import TileSet
 
 
 @dataclass(frozen=True, eq=False)
-class TextureTiles:
+class TextureTiles(Shown):
     """A texture over a tile set: T tiles of H x W pixels, for one or several maps cut alike.
 
     Attributes
@@ -72,6 +73,19 @@ class TextureTiles:
             raise TilewrightValueError(
                 f"{self.origins.shape[0]} pictures were given for a set of {len(self.tiles)} tiles"
             )
+
+    def __repr__(self) -> str:
+        side = self.tile_size
+        maps = (f"{name} ({m.dtype}, {many(m.shape[3], 'channel')})" for name, m in self.maps.items())
+        return describe(self, f"{self.tiles!r} of {side} x {side} pixels", *maps)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        if len(self.maps) > 1:
+            raise TilewrightTypeError(
+                f"the tiles have maps {', '.join(self.maps)}",
+                advice=f"take one of them, as maps[{self.main!r}]",
+            )
+        return np.array(self.pixels, dtype, copy=copy)
 
     @property
     def tile_size(self) -> int:

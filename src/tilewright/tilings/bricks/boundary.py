@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.checks import as_integers, range_error
 from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
+from tilewright.showing import describe_record
 from tilewright.tiles import TileSet
 from tilewright.tiles.bricks import brick_tiles, number_bricks
 from tilewright.tilings.bricks.endless import check_longest
@@ -44,6 +45,8 @@ class BrickRegion:
     cells: NDArray[np.int32]
     horizontal: Positions
     vertical: Positions
+
+    __repr__ = describe_record
 
     @property
     def longest(self) -> tuple[int, int]:

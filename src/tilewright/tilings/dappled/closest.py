@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import check_int, check_progress, check_real
 from tilewright.errors import Progress, TilewrightValueError
+from tilewright.showing import describe_record
 from tilewright.tilings.clauses import Undecided
 from tilewright.tilings.dappled.completing import Impossible
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Limit, Most, as_mapping
@@ -41,6 +42,8 @@ class Closest:
     tiling: Cells
     distance: int
     bound: int
+
+    __repr__ = describe_record
 
     @property
     def gap(self) -> int:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.checks import (
     as_array,
     as_integers,
+    check_function_of_place,
     check_int,
     check_type,
     range_error,
@@ -58,7 +59,8 @@ class Conditions:
     limits : mapping of str to longest run, or Conditions
         ``"H0"`` limits horizontal runs of tile 0, ``"V1"`` vertical runs of tile 1, ``"H0+2"`` horizontal
         runs of tiles 0 and 2. A longest run is a number from 0 on, `math.inf`, an array of shape (height,
-        width) or a function of arrays x and y: the longest that may end at that cell, looking west or north.
+        width) or a function of x and y, two arrays of one shape, to an array of that shape: the longest that
+        may end at that cell, looking west or north.
     tiles : int, optional
         Number of tiles, 2 to 256; by default one more than the largest named, at least 2.
 
@@ -171,7 +173,9 @@ def _parse(name: Any, most: Any) -> Limit:
             allowed="H or V and tiles, such as 'H0', 'V1' or 'H0+2'",
         )
     tiles = tuple(sorted({check_int(name, int(t), 0, _MOST_TILES - 1) for t in found[2].split("+")}))
-    if not callable(most):
+    if callable(most):
+        check_function_of_place(f"the limit of {name}", most)
+    else:
         most = _as_most(name, most, None)
     return Limit("HV".index(found[1]), tiles, most)
 

@@ -5,9 +5,10 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_real
+from tilewright.checks import check_function_of_place, check_real
 from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
+from tilewright.showing import describe
 from tilewright.tiles import free_tiles
 from tilewright.tilings.dappled.conditions import NEVER, Cells, Conditions, Most, as_cells
 from tilewright.tilings.dappled.surgery import is_remark
@@ -48,6 +49,10 @@ class EndlessDappledTiling(Tiling):
     -----
     Kaji et al. 2016, section 6 (5).
     """
+
+    def __repr__(self) -> str:
+        start = "function" if callable(self.start) else f"{self.start:g}"
+        return describe(self, repr(self.conditions), f"start {start}", f"seed {int(self.seed) % 2**64}")
 
     def __init__(self, conditions: Conditions, start: Start, seed: int) -> None:
         self.tiles = free_tiles(2)
@@ -184,6 +189,8 @@ def endless_dappled_tiling(
             "horizontal limit of one tile and one vertical limit of the other",
             argument="limits",
         )
-    if not callable(start):
+    if callable(start):
+        check_function_of_place("start", start)
+    else:
         check_real("start", start, 0, 1)
     return EndlessDappledTiling(conditions, start, check_seed(seed))

@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike
 
 from tilewright.checks import check_int, check_real, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.pixels import LUMINANCE, as_pixels, white, without_alpha
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.hashes import MixerHash
 from tilewright.tilings.streams import DAPPLE_START
@@ -87,7 +88,7 @@ def start_from_image(
 
     Parameters
     ----------
-    pixels : array-like, shape (h, w) or (h, w, channels)
+    pixels : array-like, shape (h, w) or (h, w, channels), or Pillow image
         Grays or sRGB colors; integers over their type's range, floats from 0 to 1. Alpha is left out.
     width : int
         Cells along x, 1 to 65,536; the picture is averaged over each cell, stretched where the sides have
@@ -161,7 +162,7 @@ def _squeeze(brightness: np.ndarray, conditions: Conditions) -> np.ndarray:
 def _gray(pixels: ArrayLike) -> np.ndarray:
     """Brightness from 0 to 1 as float32."""
     try:
-        given = np.asarray(pixels)
+        given = np.asarray(as_pixels("pixels", pixels))
     except ValueError:
         raise TilewrightValueError("are not equally long rows", argument="pixels") from None
     if given.dtype.kind not in "uif" or given.ndim not in (2, 3) or given.size == 0:
@@ -171,11 +172,10 @@ def _gray(pixels: ArrayLike) -> np.ndarray:
             value=given.dtype,
             allowed="numbers (h, w) or (h, w, channels)",
         )
-    scale = 1.0 if given.dtype.kind == "f" else 1.0 / np.iinfo(given.dtype).max
-    values = given.astype(np.float64) * scale
+    values = given.astype(np.float64) * (1.0 / white(given.dtype))
     if not np.isfinite(values).all():
         raise TilewrightValueError("holds NaN or infinity", argument="pixels")
     if values.ndim == 3:
-        colors = values[..., :3] if values.shape[2] >= 3 else values[..., :1]
-        values = colors @ (np.array([0.2126, 0.7152, 0.0722]) if colors.shape[2] == 3 else np.ones(1))
+        colors = without_alpha(values)
+        values = colors @ np.array(LUMINANCE if colors.shape[2] == 3 else (1.0,))
     return np.clip(values, 0, 1).astype(np.float32)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_int, check_progress, check_type
 from tilewright.errors import Progress, TilewrightValueError
+from tilewright.showing import describe
 from tilewright.tiles import CORNER, WANG, TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.tiling import ArrayTiling, Tiling
@@ -67,6 +68,11 @@ class PackingSearch:
     Lagae 2007, section 5.5.3. Corner tiles over 3 colors take about a second for the first packing, Wang
     tiles a tenth; over 4 colors neither is found in days (for corner tiles see `extend_packing`).
     """
+
+    def __repr__(self) -> str:
+        return describe(
+            self, repr(self.tiles), f"torus {' x '.join(map(str, self.size))}", f"seed {self.seed}"
+        )
 
     def __init__(
         self,

@@ -1,0 +1,367 @@
+"""The common face of fields of pixels: maps of any window of a plane, in memory or in files."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.checks import check_choice, check_int, check_out, check_progress, type_error
+from tilewright.errors import Progress, TilewrightValueError
+from tilewright.files.atomic import AnyPath, as_path
+from tilewright.files.image_streams import stream_image
+from tilewright.files.images import check_writable
+from tilewright.showing import Shown, describe, many
+from tilewright.tilings import Domain
+
+LARGEST_SIDE = 2**31 - 1
+_BLOCK_BYTES = 16 << 20
+"""Of a piece that `PixelField.blocks` gives, where no size is asked for."""
+
+
+class PixelMap(NamedTuple):
+    """What a map of a field is made of.
+
+    Parameters
+    ----------
+    dtype : dtype
+        Type of its numbers.
+    channels : int
+        Numbers of a pixel, 1 to 4.
+    kind : str
+        What the numbers mean: ``"color"``, ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
+        ``"normal-dx"``.
+    """
+
+    dtype: np.dtype[Any]
+    channels: int
+    kind: str = "color"
+
+
+class PixelWindow(NamedTuple):
+    """A rectangle of the plane in pixels, its north-west pixel as integers of any size."""
+
+    x: int
+    y: int
+    width: int
+    height: int
+
+    def grow(self, margin: int) -> "PixelWindow":
+        """The window with ``margin`` more pixels on every side."""
+        return PixelWindow(
+            self.x - margin, self.y - margin, self.width + 2 * margin, self.height + 2 * margin
+        )
+
+    def split(self, columns: int, rows: int) -> Iterator[tuple["PixelWindow", tuple[slice, slice]]]:
+        """Pieces of at most ``columns`` x ``rows`` pixels, row by row, and where each lies in the window."""
+        for top in range(0, self.height, rows):
+            for left in range(0, self.width, columns):
+                width, height = min(columns, self.width - left), min(rows, self.height - top)
+                at = slice(top, top + height), slice(left, left + width)
+                yield PixelWindow(self.x + left, self.y + top, width, height), at
+
+
+class PixelField(Shown, ABC):
+    """Pixels of one or more maps at any place of a plane.
+
+    A field never changes and holds no state of what was asked, so windows may be rendered in any order, by
+    several threads, and by other processes that it was pickled to.
+
+    Attributes
+    ----------
+    domain : Domain
+        Where there are pixels, and after how many of them they repeat, x first.
+    maps : dict of str to PixelMap
+        The type, channels and kind of every map; the first is the main one.
+
+    Notes
+    -----
+    x grows east and y grows south.
+    """
+
+    reach: tuple[int, int]
+    """Pixels from the origin that an endless axis reaches to, along x and y."""
+
+    @property
+    @abstractmethod
+    def domain(self) -> Domain:
+        """Where there are pixels, and after how many of them they repeat, x first."""
+
+    @property
+    @abstractmethod
+    def maps(self) -> dict[str, PixelMap]:
+        """The type, channels and kind of every map; the first is the main one."""
+
+    @abstractmethod
+    def _paint(self, window: PixelWindow, outs: Mapping[str, NDArray[Any]]) -> None:
+        """Fill the pixels of a window of each map into its C-contiguous array."""
+
+    def __repr__(self) -> str:
+        main, *others = self.maps
+        shown = f"{main} ({self.dtype}, {many(self.channels, 'channel')})"
+        return describe(self, shown, *others, str(self.domain))
+
+    @property
+    def main(self) -> str:
+        """Name of the main map."""
+        return next(iter(self.maps))
+
+    @property
+    def dtype(self) -> np.dtype[Any]:
+        """Type of the main map's numbers."""
+        return self.maps[self.main].dtype
+
+    @property
+    def channels(self) -> int:
+        """Channels of the main map."""
+        return self.maps[self.main].channels
+
+    def render(
+        self,
+        x: int = 0,
+        y: int = 0,
+        width: int = 1024,
+        height: int = 1024,
+        *,
+        map: str | None = None,
+        out: NDArray[Any] | None = None,
+    ) -> NDArray[Any]:
+        """Give the pixels of a window, equal to the same pixels of any other window.
+
+        Parameters
+        ----------
+        x, y : int, optional
+            North-west pixel of the window; default (0, 0).
+        width, height : int, optional
+            Size of the window in pixels, 1 to 2^31 - 1; default 1024 each.
+        map : str, optional
+            Which map; by default the main one.
+        out : array, shape (height, width, channels) of the map's type, optional
+            C-contiguous; filled and returned. By default a new array is made.
+
+        Returns
+        -------
+        array, shape (height, width, channels)
+            Pixels ``[y, x]`` of the map's type, row 0 in the north.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number that is not an integer, or an ``out`` that is no array.
+        TilewrightValueError
+            A window outside the domain or larger than memory, an unknown map, or an ``out`` that does not
+            fit.
+        """
+        name = self._name(map)
+        window = self._window(x, y, width, height)
+        if out is None:
+            out = self._make_out(window, name)
+        else:
+            shape, kind = self._shape(window, name), self.maps[name].dtype
+            check_out(out, lambda given: (given.shape, given.dtype) == (shape, kind), f"{kind} {shape}")
+        self._paint(window, {name: out})
+        return out
+
+    def render_maps(
+        self,
+        x: int = 0,
+        y: int = 0,
+        width: int = 1024,
+        height: int = 1024,
+        *,
+        maps: Sequence[str] | None = None,
+    ) -> dict[str, NDArray[Any]]:
+        """Give several maps of a window, which share the work where they can; each as `render` gives it.
+
+        Parameters
+        ----------
+        x, y : int, optional
+            North-west pixel of the window; default (0, 0).
+        width, height : int, optional
+            Size of the window in pixels, 1 to 2^31 - 1; default 1024 each.
+        maps : sequence of str, optional
+            Which maps; by default all that a material is made of.
+
+        Returns
+        -------
+        dict of str to array, shape (height, width, channels)
+            The pixels of each map, of its own type.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number that is not an integer.
+        TilewrightValueError
+            A window outside the domain or larger than memory, or an unknown map.
+        """
+        known = self.maps
+        chosen = self._usual if maps is None else [check_choice("maps", n, tuple(known)) for n in maps]
+        window = self._window(x, y, width, height)
+        outs = {name: self._make_out(window, name) for name in chosen}
+        self._paint(window, outs)
+        return outs
+
+    def blocks(
+        self,
+        x: int = 0,
+        y: int = 0,
+        width: int = 1024,
+        height: int = 1024,
+        *,
+        map: str | None = None,
+        size: tuple[int, int] | None = None,
+    ) -> Iterator[tuple[int, int, NDArray[Any]]]:
+        """Give the pixels of a window in pieces, for windows larger than memory.
+
+        Parameters
+        ----------
+        x, y : int, optional
+            North-west pixel of the window; default (0, 0).
+        width, height : int, optional
+            Size of the window in pixels, 1 to 2^31 - 1; default 1024 each.
+        map : str, optional
+            Which map; by default the main one.
+        size : (int, int), optional
+            Width and height of a piece in pixels; by default bands of about 16 MB. The last piece of a row
+            or column may be smaller.
+
+        Returns
+        -------
+        iterator of (int, int, array)
+            For each piece its north-west pixel, x and y, and its pixels, shape (height, width, channels).
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number that is not an integer, or a size that is no pair.
+        TilewrightValueError
+            A window outside the domain, an unknown map, or a size below 1.
+        """
+        name = self._name(map)
+        window = self._window(x, y, width, height)
+        pieces = window.split(*(self._band(window, name) if size is None else check_pair("size", size)))
+        # Checked now, and not when the first piece is asked for.
+        return ((piece.x, piece.y, self._render(piece, name)) for piece, _ in pieces)
+
+    def save(
+        self,
+        path: AnyPath,
+        x: int = 0,
+        y: int = 0,
+        width: int = 1024,
+        height: int = 1024,
+        *,
+        map: str | None = None,
+        progress: Progress | None = None,
+    ) -> None:
+        """Render a window to a file, a block at a time, in memory that does not grow with the window.
+
+        The file appears when it is complete.
+
+        Parameters
+        ----------
+        path : str or path-like
+            ``.tif``, which becomes a tiled BigTIFF; ``.png`` for 8 and 16 bit; ``.exr`` for float.
+        x, y : int, optional
+            North-west pixel of the window; default (0, 0).
+        width, height : int, optional
+            Size of the window in pixels, 1 to 2^31 - 1; default 1024 each.
+        map : str, optional
+            Which map; by default the main one.
+        progress : callable, optional
+            Called as ``progress(done, total, what)``, counted in rows of pixels; raise `Cancelled` in it to
+            stop.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number that is not an integer, something else than a path, or pixels of a type that files of
+            this suffix do not hold.
+        TilewrightValueError
+            A window outside the domain, an unknown map, or another suffix.
+        TilewrightFileError
+            The file cannot be written.
+        """
+        name = self._pictured(self._name(map))
+        file = as_path(path)
+        form = self.maps[name]
+        check_writable(file, form.dtype)
+        check_progress(progress)
+        window = self._window(x, y, width, height)
+
+        def block(left: int, top: int, columns: int, rows: int) -> NDArray[Any]:
+            if progress is not None:
+                progress(top, window.height, f"rendering {file.name}")
+            return self._render(PixelWindow(window.x + left, window.y + top, columns, rows), name)
+
+        stream_image(file, block, window.height, window.width, form.channels, form.dtype)
+        if progress is not None:
+            progress(window.height, window.height, f"rendering {file.name}")
+
+    @property
+    def _usual(self) -> list[str]:
+        """The maps that `render_maps` gives when none are named."""
+        return list(self.maps)
+
+    def _pictured(self, map: str) -> str:
+        """The map that a picture file shows for ``map``: another one where no file holds its numbers."""
+        return map
+
+    def _render(self, window: PixelWindow, name: str) -> NDArray[Any]:
+        """One map of a window that has been checked."""
+        out = self._make_out(window, name)
+        self._paint(window, {name: out})
+        return out
+
+    def _name(self, map: str | None) -> str:
+        return self.main if map is None else check_choice("map", map, tuple(self.maps))
+
+    def _window(self, x: Any, y: Any, width: Any, height: Any) -> PixelWindow:
+        return check_pixel_window(self.domain, self.reach, x, y, width, height)
+
+    def _shape(self, window: PixelWindow, name: str) -> tuple[int, int, int]:
+        return window.height, window.width, self.maps[name].channels
+
+    def _make_out(self, window: PixelWindow, name: str) -> NDArray[Any]:
+        try:
+            return np.empty(self._shape(window, name), self.maps[name].dtype)
+        except (MemoryError, ValueError):
+            raise TilewrightValueError(
+                f"a window of {window.width} x {window.height} pixels does not fit in memory",
+                advice="render smaller ones, go through its blocks(), or save() it to a file",
+            ) from None
+
+    def _band(self, window: PixelWindow, name: str) -> tuple[int, int]:
+        """Width and height of pieces of a window that hold about 16 MB."""
+        pixels = max(1, _BLOCK_BYTES // (self.maps[name].channels * self.maps[name].dtype.itemsize))
+        columns = min(window.width, pixels)
+        return columns, max(1, pixels // columns)
+
+
+def check_pixel_window(
+    domain: Domain, reach: tuple[int, int], x: Any, y: Any, width: Any, height: Any
+) -> PixelWindow:
+    """A window as integers of any size, if it lies in a domain of pixels and within ``reach``."""
+    first, extent = [], []
+    for axis, (at, count) in enumerate(((x, width), (y, height))):
+        name, side = "xy"[axis], ("width", "height")[axis]
+        extent.append(check_int(side, count, 1, LARGEST_SIDE))
+        low, high = domain.bounds[axis] or (-reach[axis], reach[axis])
+        if extent[axis] > high - low:
+            raise TilewrightValueError(
+                f"is {count}; there are {high - low} pixels",
+                argument=side,
+                value=count,
+                allowed=f"1 to {high - low}",
+            )
+        first.append(check_int(name, at, low, high - extent[axis]))
+    return PixelWindow(*first, *extent)
+
+
+def check_pair(name: str, given: Any) -> tuple[int, int]:
+    """Width and height in pixels, both at least 1."""
+    if not isinstance(given, (tuple, list)) or len(given) != 2:
+        raise type_error(name, given, "a width and a height in pixels")
+    width, height = (check_int(name, side, 1, LARGEST_SIDE) for side in given)
+    return width, height

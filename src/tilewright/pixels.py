@@ -1,0 +1,217 @@
+"""What channels, numbers and names of pictures mean: alpha, gray, luminance, hex colors, words of map names.
+
+Pixels are arrays of shape (..., channels) with 1 to 4 channels: gray, gray and alpha, color, color and alpha.
+"""
+
+import os
+import re
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.checks import type_error
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
+
+LUMA = (0.299, 0.587, 0.114)
+"""Weights of red, green and blue by Rec. ITU-R BT.601: how light encoded colors look.
+
+Mikkelsen's hex-tiling weighs linear light by them too (JCGT 11 (2), 2022), and so do we there.
+"""
+LUMINANCE = (0.2126, 0.7152, 0.0722)
+"""The same by Rec. ITU-R BT.709, whose primaries are those of sRGB."""
+
+
+def has_alpha(channels: int) -> bool:
+    """Whether the last of so many channels is alpha, where the first ones hold light."""
+    return channels in (2, 4)
+
+
+def without_alpha(pixels: NDArray[Any]) -> NDArray[Any]:
+    """A view of the gray or the three colors of pixels."""
+    return pixels[..., : 1 if pixels.shape[-1] < 3 else 3]
+
+
+def white(kind: np.dtype[Any]) -> int:
+    """The number that stands for 1: the largest of an integer type, 1 of floats and bool."""
+    return int(np.iinfo(kind).max) if kind.kind in "iu" else 1
+
+
+def as_rgb(pixels: NDArray[Any]) -> NDArray[Any]:
+    """Three channels: gray is repeated, alpha left out."""
+    colors = without_alpha(pixels)
+    return colors if colors.shape[-1] == 3 else np.repeat(colors, 3, axis=-1)
+
+
+def as_rgba(pixels: NDArray[Any], kind: np.dtype[Any] | None = None) -> NDArray[Any]:
+    """Four channels, of type ``kind`` where given: gray is repeated, alpha kept or full."""
+    out = np.empty((*pixels.shape[:-1], 4), kind or pixels.dtype)
+    out[..., :3] = without_alpha(pixels)
+    out[..., 3] = pixels[..., -1] if has_alpha(pixels.shape[-1]) else white(out.dtype)
+    return out
+
+
+def mean_gray(pixels: NDArray[Any]) -> NDArray[np.float64]:
+    """The mean of the colors, in the numbers of the pixels, shape (...)."""
+    return np.asarray(without_alpha(pixels).mean(axis=-1, dtype=np.float64))
+
+
+def as_pixels(name: str, given: Any) -> Any:
+    """The pixels of a Pillow image; other pictures as they are.
+
+    Pixels come as `tilewright.read_image` gives those of the file: upright, palettes expanded, 8 bit as
+    uint8, 16 bit as uint16, floats as float32.
+
+    Parameters
+    ----------
+    name : str
+        What the picture is called where it is refused.
+    given : Pillow image or array-like
+        The picture.
+
+    Returns
+    -------
+    array-like
+        The pixels of a Pillow image, shape (height, width, channels); others as they came.
+
+    Raises
+    ------
+    TilewrightTypeError
+        A path, which is to be opened where files are read; a Pillow image of another kind.
+    """
+    if isinstance(given, (str, os.PathLike)):
+        raise TilewrightTypeError(
+            "must be an array or a Pillow image, not a path",
+            argument=name,
+            value=given,
+            allowed="an array or a Pillow image",
+            advice=f"open it: tilewright.read_image({os.fspath(given)!r})",
+        )
+    return _read_pillow(name, given) if is_pillow(given) else given
+
+
+def is_pillow(given: Any) -> bool:
+    """Whether this is a Pillow image, told without importing Pillow."""
+    return any(c.__name__ == "Image" and c.__module__ == "PIL.Image" for c in type(given).__mro__)
+
+
+def _read_pillow(name: str, image: Any) -> NDArray[Any]:
+    from PIL import ImageOps
+
+    image = ImageOps.exif_transpose(image)
+    if "transparency" in image.info and image.mode in ("1", "L", "P", "RGB"):
+        image = image.convert("LA" if image.mode in ("1", "L") else "RGBA")
+    mode = _PILLOW_MODES.get(image.mode)
+    if mode is None:
+        raise TilewrightTypeError(
+            f"is a Pillow image of mode {image.mode}; allowed are {', '.join(_PILLOW_MODES)}",
+            argument=name,
+            value=image.mode,
+            allowed=", ".join(_PILLOW_MODES),
+        )
+    pixels = np.asarray(image if image.mode == mode else image.convert(mode))
+    if image.mode.startswith("I"):  # how Pillow opens 16-bit gray
+        if pixels.min() < 0 or pixels.max() > 65535:
+            raise TilewrightTypeError(
+                "is a Pillow image of 32-bit integers beyond 16 bits", argument=name, allowed="0 to 65535"
+            )
+        pixels = pixels.astype(np.uint16)
+    return pixels.reshape(image.height, image.width, -1)
+
+
+_PILLOW_MODES = {
+    **{"1": "L", "L": "L", "LA": "LA", "La": "LA", "P": "RGB", "PA": "RGBA"},
+    **{"RGB": "RGB", "RGBX": "RGB", "RGBA": "RGBA", "RGBa": "RGBA"},
+    **{"CMYK": "RGB", "YCbCr": "RGB", "HSV": "RGB", "LAB": "RGB"},
+    **{"I;16": "I;16", "I;16L": "I;16L", "I;16B": "I;16B", "I;16N": "I;16N", "I": "I", "F": "F"},
+}
+"""What images of each mode are turned into."""
+
+
+def read_hex(color: Any) -> tuple[int, int, int]:
+    """Red, green and blue, 0 to 255, of a color such as ``"#27548f"``."""
+    if not isinstance(color, str):
+        raise type_error("a color", color, "a str such as '#27548f'")
+    if not re.fullmatch("#[0-9a-fA-F]{6}", color):
+        allowed = "'#' and six digits, as '#27548f'"
+        raise TilewrightValueError(
+            f"is {color!r}; expected {allowed}", argument="a color", value=color, allowed=allowed
+        )
+    red, green, blue = bytes.fromhex(color[1:])
+    return red, green, blue
+
+
+class MapWords(NamedTuple):
+    """The words by which a map of a material is told.
+
+    Three readers know them, and they differ in how sure they must be.
+
+    Attributes
+    ----------
+    kind : str
+        What such a map holds: `tilewright.signals.textures.kinds.guess_kind` looks for ``words`` in a name
+        that a person gave, where something must be found.
+    endings : tuple of str
+        Whole endings of file names by which `tilewright.find_maps` takes a file into a material, which it
+        must not do wrongly.
+    words : tuple of str
+        Single words, or the beginnings of longer ones where they have more than three letters.
+    slot : str
+        A regular expression: parts of names for which an engine's surface has a slot of this name.
+    """
+
+    kind: str
+    endings: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
+    slot: str = ""
+
+
+MAP_WORDS = {
+    "albedo": MapWords(
+        "color",
+        ("color", "col", "diff", "diffuse", "albedo", "basecolor", "base_color"),
+        ("albedo", "color", "colour", "col", "diffuse", "diff", "basecolor"),
+    ),
+    "normal": MapWords(
+        "normal-gl",
+        (
+            *("normal", "nor", "nrm", "norm", "normalgl", "normal_gl", "nor_gl"),
+            *("normal_opengl", "normalogl", "normal_ogl"),
+        ),
+        ("normal", "normals", "normalgl", "normalogl", "nor", "nrm", "norm", "ogl"),
+    ),
+    "normal-dx": MapWords("normal-dx", ("normal_dx", "nor_dx", "normaldx", "normal_directx"), ("normaldx",)),
+    "roughness": MapWords("roughness", ("roughness", "rough"), ("roughness", "rough", "rgh")),
+    "glossiness": MapWords(
+        "data", ("glossiness", "gloss", "smoothness"), ("gloss", "glossiness", "smoothness")
+    ),
+    "metalness": MapWords(
+        "data", ("metalness", "metallic", "metal"), ("metalness", "metallic", "metal"), "metal"
+    ),
+    "height": MapWords(
+        "height",
+        ("displacement", "disp", "height", "depth"),
+        ("height", "depth", "displacement", "displace", "disp", "elevation"),
+        "height|displace|(^|[^a-z])disp([^a-z]|$)|bump|depth",
+    ),
+    "bump": MapWords("height", ("bump",), ("bump",)),
+    "ao": MapWords(
+        "data",
+        ("ambientocclusion", "ambient_occlusion", "ao", "occlusion", "occ"),
+        ("ambientocclusion", "occlusion", "occ", "ao"),
+        "occlusion|(^|[^a-z])ao([^a-z]|$)",
+    ),
+    "cavity": MapWords("data", ("cavity",), ("cavity",)),
+    "arm": MapWords("data", ("arm",), ("arm",)),
+    "orm": MapWords("data", ("orm", "occlusionroughnessmetallic"), ("orm", "rma", "mra")),
+    "opacity": MapWords(
+        "data", ("opacity", "alpha", "mask"), ("mask", "opacity", "alpha"), "opacity|alpha|mask"
+    ),
+    "emissive": MapWords(
+        "color", ("emission", "emissive", "emit"), ("emissive", "emission"), "(^|[^a-z])emi(ss|t)|glow"
+    ),
+    "specular": MapWords("data", ("specular", "spec"), ("specular",)),
+    "translucency": MapWords("color", ("translucency", "translucent")),
+    "others": MapWords("data", (), ("thickness", "index", "curvature")),
+}
+"""Maps of a material in the order in which a stack of them is listed."""
