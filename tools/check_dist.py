@@ -21,7 +21,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 BUILT = ROOT / "dist"
-CACHES = {"__pycache__"}
+CACHES = {"__pycache__", ".DS_Store"}
 ALWAYS = {".gitignore", "LICENSE", "PKG-INFO", "README.md", "pyproject.toml"}
 """What every source distribution has besides the files that pyproject.toml lists."""
 ENGINES = ("threejs", "godot", "unity", "unreal", "blender", "glsl", "hlsl", "wgsl", "osl", "ktx2", "atlas")
