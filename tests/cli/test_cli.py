@@ -1,6 +1,7 @@
 """The command line: what it makes, what it prints, how it refuses."""
 
 import json
+import os
 import subprocess
 import sys
 
@@ -108,6 +109,19 @@ def test_help_names_an_example_and_the_call(capsys):
         assert "Calls tilewright." in out.out
         assert "--json" in out.out
         assert "--seed" in out.out
+
+
+def test_completion_names_the_options_of_a_command():
+    asked = {
+        "_TILEWRIGHT_COMPLETE": "complete_bash",
+        "COMP_WORDS": "tilewright texture --ti",
+        "COMP_CWORD": "2",
+    }
+    start = "import sys; sys.argv = ['tilewright']; from tilewright.cli.main import main; main()"
+    done = subprocess.run(
+        [sys.executable, "-c", start], env=os.environ | asked, capture_output=True, text=True, check=False
+    )
+    assert done.stdout.split() == ["--tiles", "--tile-size"]
 
 
 REFUSED = {

@@ -9,8 +9,8 @@ import dialects
 import tilewright as tw
 from handmade import handmade
 from tilewright.export.engines.folder import prepare
+from tilewright.export.engines.parts import fill
 from tilewright.shaders import lookup as lookups
-from tilewright.shaders.lookup import fill
 from tilewright.tilings import packing
 
 SEEDS = (0, 2**32 + 5, 2**64 - 1)

@@ -17,7 +17,7 @@ def tilings():
     """Tile indices of every direct algorithm, by scanline, packings, dapples, bricks."""
     for tiles in (tw.corner_tiles(3), tw.wang_tiles(2, 3), tw.corner_tiles(4, choices=2), tw.corner_cubes(2)):
         window = (-3, 2**40, 5, 4) if tiles.shape.dimension == 2 else (-3, 2, 1, 3, 2, 2)
-        yield tiles.name, tw.direct(tiles, 7).indices(*window)
+        yield repr(tiles), tw.direct(tiles, 7).indices(*window)
     yield "scanline", tw.scanline(tw.cohen_tiles(8), 6, 5, 3).cells
     yield "packing", tw.random_packing(tw.corner_tiles(2), seed=3).cells
     yield "packings", np.array(tw.count_packings(tw.wang_tiles(1)))
@@ -28,7 +28,7 @@ def tilings():
     yield "endless bricks", wall.indices(10, -4, 5, 4)
     yield "bricks", tw.brick_tiling(np.array([[0, 1, 0], [1, 0, 1]]), 3, 2).cells
     yield "region", tw.brick_region(np.ones((3, 4), np.uint8), 3, seed=2).cells
-    yield "wall", tw.BrickField(wall, size=(12, 8)).preview(0, 0, 20, 14)
+    yield "wall", tw.BrickField(wall, size=(12, 8)).render(0, 0, 20, 14)
 
 
 def flows():

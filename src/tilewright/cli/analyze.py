@@ -3,33 +3,45 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Json, Seed
+from tilewright.cli.options import Json, argument, option
 from tilewright.cli.performing import perform
 
 
 def command(
     source: Annotated[
-        Path,
-        typer.Argument(help="A tile-set folder, or points in .npy, .csv or .parquet.", show_default=False),
+        Path, argument(help="A tile-set folder, or a file of points: .npy, .csv, .parquet or .ply.")
     ],
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="SHEET.png: pictures beside figures.")
+        Path | None,
+        option(
+            "-o",
+            "--output",
+            help="Sheet of pictures beside the figures: FILE.png, .jpg, .svg or .pdf; default none.",
+        ),
     ] = None,
-    width: Annotated[float | None, typer.Option(help="Of the box a file's points lie in.")] = None,
-    height: Annotated[float | None, typer.Option(help="Of that box.")] = None,
-    torus: Annotated[bool, typer.Option(help="Opposite sides of that box meet.")] = False,
-    seed: Seed = 0,
+    width: Annotated[
+        float | None,
+        option(
+            help="Width of the box that a file's points lie in, in their units; default as the file says."
+        ),
+    ] = None,
+    height: Annotated[
+        float | None, option(help="Height of that box in the same units; default as the file says.")
+    ] = None,
+    torus: Annotated[bool, option(help="Let opposite sides of that box meet; default no.")] = False,
+    seed: Annotated[
+        int, option("--seed", help="Seed of the tilings that are measured, from 0 on; default 0.")
+    ] = 0,
     json: Json = False,
 ) -> None:
-    """Measure a tile set, or points: spacing, spectrum, anisotropy.
+    """Measure a tile set or a file of points: seams and repetition, or spacing and spectrum.
 
     Example: tilewright analyze moss -o moss-sheet.png
 
     Example: tilewright analyze points.npy --width 100 --height 100 --torus -o sheet.png
 
-    Calls tilewright.analyze(tilewright.load(folder), seed=seed), or of tilewright.read_points(file, box), and
-    its save_sheet(path).
+    Calls tilewright.jobs.AnalyzeJob(...).run(). That analyzes, by tilewright.analyze(..., seed=seed), the
+    set tilewright.load(folder) or the points tilewright.read_points(file, box); the report's
+    save_sheet(path) draws the sheet.
     """
     perform("AnalyzeJob", locals())

@@ -3,48 +3,52 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Json, Seed
+from tilewright.cli.options import Json, argument, option
 from tilewright.cli.performing import perform
 
 
 def command(
     name: Annotated[
         str | None,
-        typer.Argument(
-            help="Of a set; without one, what there is. Or FILE.csv or .npy: a set of your own.",
-            show_default=False,
+        argument(
+            help="Name of a set, or FILE.csv or FILE.npy with a set of your own; without it, the known sets "
+            "are listed."
         ),
     ] = None,
     output: Annotated[
         Path | None,
-        typer.Option("-o", "--output", help="FILE.svg, .png or .npy; else NAME.svg.", show_default=False),
+        option("-o", "--output", help="FILE.svg, .png or .npy; default an SVG named after the set."),
     ] = None,
-    width: Annotated[int, typer.Option(help="Cells.")] = 40,
-    height: Annotated[int, typer.Option(help="Cells.")] = 30,
-    x: Annotated[int, typer.Option(help="West cell; any place of the plane.")] = 0,
-    y: Annotated[int, typer.Option(help="North cell.")] = 0,
-    set: Annotated[bool, typer.Option("--set", help="The tiles themselves instead of a tiling.")] = False,
+    width: Annotated[int, option(help="Width of the window in cells; default 40.")] = 40,
+    height: Annotated[int, option(help="Height of the window in cells; default 30.")] = 30,
+    x: Annotated[int, option(help="West-most cell of the window, anywhere on the plane; default 0.")] = 0,
+    y: Annotated[int, option(help="North-most cell of the window; default 0.")] = 0,
+    set: Annotated[bool, option("--set", help="Draw the tiles themselves instead of a tiling.")] = False,
     to: Annotated[
         str | None,
-        typer.Option(
-            help="Make a corner set: diagonal, horizontal, vertical, rotation, subdivision; or wang.",
-            show_default=False,
+        option(
+            help="Convert the set first: to a corner set by diagonal, horizontal, vertical, rotation or "
+            "subdivision, or to a Wang set by wang; default not."
         ),
     ] = None,
     period: Annotated[
         tuple[int, int] | None,
-        typer.Option(help="Look for the smallest torus up to so many cells.", show_default=False),
+        option(
+            metavar="W H",
+            help="Look for the smallest torus that the set tiles, up to W x H cells; default not.",
+        ),
     ] = None,
-    shape: Annotated[str, typer.Option(help="Of your own set: wang, corner or corner-coded.")] = "wang",
-    seed: Seed = 0,
+    shape: Annotated[
+        str, option(help="What the colors of your own set are on: wang (default), corner or corner-coded.")
+    ] = "wang",
+    seed: Annotated[int, option("--seed", help="Which of the tilings, from 0 on; default 0.")] = 0,
     json: Json = False,
 ) -> None:
     """Tile the plane with an aperiodic set and draw it, or draw the set; or list the sets.
 
-    Columns of your own set are N, E, S, W for Wang tiles and NE, SE, SW, NW for corner tiles; it tiles a
-    rectangle. A .npy holds tile indices, shape (height, width), or with --set the colors of each tile.
+    An aperiodic set tiles the plane, but no tiling by it repeats. A set of your own has a row for each tile,
+    with columns N, E, S, W for Wang tiles and NE, SE, SW, NW for corner tiles; it tiles a rectangle. A .npy
+    output holds tile indices, shape (height, width), or with --set the colors of each tile.
 
     Example: tilewright aperiodic
 
@@ -54,9 +58,10 @@ def command(
 
     Example: tilewright aperiodic lagae-44 --period 5 5
 
-    Calls tilewright.aperiodic_tiling(tilewright.aperiodic_tiles(name), seed).indices(x, y, width, height) and
-    tilewright.draw_tiling(...) or, for a PNG, paint_tiling(...); with --set draw_tiles(...); with --to
-    translated_tiling(tiling, to); with --period periodic_tiling(tiles, ...); for your own set
-    filled_tiling(tiles, width, height, seed=seed).
+    Calls tilewright.jobs.AperiodicJob(...).run(). That lays
+    tilewright.aperiodic_tiling(tilewright.aperiodic_tiles(name), seed), with --to its
+    translated_tiling(tiling, to), with --period periodic_tiling(tiles, ...), and a set of your own by
+    filled_tiling(tiles, width, height, seed=seed); then draw_tiling(...) draws it, or paint_tiling(...) for
+    a PNG, and with --set draw_tiles(...) or paint_tiles(...).
     """
     perform("AperiodicJob", locals())

@@ -3,53 +3,89 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Json, Seed
+from tilewright.cli.options import Json, option
 from tilewright.cli.performing import perform
 
 
 def command(
     output: Annotated[
         Path,
-        typer.Option("-o", "--output", help="FILE.png, .tif, .svg, .npy, or a folder of maps."),
+        option(
+            "-o",
+            "--output",
+            help="Picture FILE.png or .tif, drawing FILE.svg, tiles FILE.npy, or a folder of all maps; "
+            "default wall.png.",
+        ),
     ] = Path("wall.png"),
-    width: Annotated[int | None, typer.Option(help="Cells, 12; bricks are a cell on average.")] = None,
-    height: Annotated[int | None, typer.Option(help="Cells, 20.")] = None,
-    x: Annotated[int, typer.Option(help="West cell; any place of an endless wall.")] = 0,
-    y: Annotated[int, typer.Option(help="North cell.")] = 0,
+    width: Annotated[
+        int | None,
+        option(help="Width in cells, each as large as a brick is on average; default 12, or the region's."),
+    ] = None,
+    height: Annotated[int | None, option(help="Height in cells; default 20, or the region's.")] = None,
+    x: Annotated[int, option(help="West-most cell, anywhere on an endless wall; default 0.")] = 0,
+    y: Annotated[int, option(help="North-most cell; default 0.")] = 0,
     pattern: Annotated[
-        str, typer.Option(help="wang, or running-bond, flemish-bond, herringbone, basket-weave.")
+        str,
+        option(
+            help="How bricks lie: wang (default) by brick Wang tiles, or running-bond, flemish-bond, "
+            "herringbone or basket-weave."
+        ),
     ] = "wang",
-    positions: Annotated[int, typer.Option(help="Where joints may meet an edge, 2 to 16.")] = 3,
+    positions: Annotated[
+        int, option(help="Number of places where joints may meet an edge of a tile, 2 to 16; default 3.")
+    ] = 3,
     longest: Annotated[
         tuple[int, int],
-        typer.Option(help="Most cells that a joint runs along x and along y; endless, 2 to 8."),
+        option(
+            help="Longest joint along x and along y in cells, 2 to 8 if the wall is endless; default 3 3."
+        ),
     ] = (3, 3),
     input: Annotated[
-        Path | None, typer.Option(help="Picture to follow: joints run along x where it is dark.")
+        Path | None, option(help="Picture to follow: joints run along x where it is dark; default none.")
     ] = None,
-    cyclic: Annotated[bool, typer.Option(help="Let the wall close, so that it can be repeated.")] = False,
-    mask: Annotated[Path | None, typer.Option(help="Picture of a region, light inside.")] = None,
+    cyclic: Annotated[
+        bool, option(help="Let the wall close, so that it can be repeated; default no.")
+    ] = False,
+    mask: Annotated[
+        Path | None, option(help="Picture of a region to fill, light inside; default a rectangle.")
+    ] = None,
     boundary: Annotated[
-        Path | None, typer.Option(help="FILE.npz of positions asked for: horizontal, vertical.")
-    ] = None,
-    size: Annotated[tuple[int, int], typer.Option(help="Width and height of a cell in pixels.")] = (144, 48),
-    colors: Annotated[str, typer.Option(help="red, yellow, sandstone or gray.")] = "red",
-    mortar: Annotated[int | None, typer.Option(help="Pixels between bricks.")] = None,
-    bevel: Annotated[float | None, typer.Option(help="Pixels of the rounded edge of a brick.")] = None,
-    map: Annotated[
-        str | None,
-        typer.Option(
-            help="Of a picture: preview, the default, color, height, normal, roughness, mortar, id.",
-            show_default=False,
+        Path | None,
+        option(
+            help="FILE.npz with the positions at which joints meet the sides: arrays horizontal and "
+            "vertical; default free."
         ),
     ] = None,
-    lines: Annotated[bool, typer.Option(help="Of an SVG: the joints as lines.")] = False,
-    seed: Seed = 0,
+    size: Annotated[tuple[int, int], option(help="Width and height of a cell in pixels; default 144 48.")] = (
+        144,
+        48,
+    ),
+    colors: Annotated[
+        str, option(help="Palette of the bricks: red (default), yellow, sandstone or gray.")
+    ] = "red",
+    mortar: Annotated[
+        int | None,
+        option(help="Width of the mortar in pixels; default an eighth of the height of a brick, or less."),
+    ] = None,
+    bevel: Annotated[
+        float | None,
+        option(help="Width of a brick's rounded edge in pixels; default 0.8 times the mortar."),
+    ] = None,
+    map: Annotated[
+        str | None,
+        option(
+            help="What a picture shows: preview (default), color, height, normal, roughness, mortar or id."
+        ),
+    ] = None,
+    lines: Annotated[
+        bool, option(help="In an SVG, draw the joints as lines instead of bricks; default no.")
+    ] = False,
+    seed: Annotated[
+        int, option("--seed", help="Seed of the wall and of how bricks look, from 0 on; default 0.")
+    ] = 0,
     json: Json = False,
 ) -> None:
-    """Lay a wall of bricks and draw it: lit, as a folder of maps, as SVG; or write its tiles.
+    """Lay a wall of bricks and draw it: lit, as a folder of maps, or as SVG; or write its tiles.
 
     Example: tilewright bricks -o wall.png --width 12 --height 20
 
@@ -57,9 +93,10 @@ def command(
 
     Example: tilewright bricks -o face.svg --input face.png --width 60 --height 90 --longest 4 4
 
-    Calls tilewright.BrickField(wall, tilewright.BrickStyle(...), size=size).save(output, ...), for SVG
-    tilewright.draw_wall(...). The wall is tilewright.endless_brick_tiling(positions, ...); with --input
-    or --cyclic tilewright.brick_tiling(classes, ...) over tilewright.dapple(start, ...); with --mask or
-    --boundary tilewright.brick_region(mask, ...); other patterns are tilewright.BondBricks(pattern, size).
+    Calls tilewright.jobs.BricksJob(...).run(). That draws by tilewright.BrickField(wall,
+    tilewright.BrickStyle(...), size=size).save(output, ...), or for an SVG by draw_wall(...). The wall is
+    endless_brick_tiling(positions, ...); with --input or --cyclic it is brick_tiling(classes, ...) over
+    dapple(start, ...), with --mask or --boundary brick_region(mask, ...), and with another --pattern
+    BondBricks(pattern, size).
     """
     perform("BricksJob", locals())

@@ -3,22 +3,22 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Json, Seed, parse_list
+from tilewright.cli.options import Json, Seed, option, parse_list
 from tilewright.cli.performing import perform
 
 
 def command(
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="DIR: table, figures and pictures.")
+        Path | None,
+        option("-o", "--output", help="Folder for the table, the figures and the pictures; default none."),
     ] = None,
     methods: Annotated[
-        str | None, typer.Option(help="Names with commas between; see --list.", show_default=False)
+        str | None,
+        option(help="Names with commas between, as --list gives them; default those of moderate cost."),
     ] = None,
-    full: Annotated[bool, typer.Option(help="All methods, however long they take.")] = False,
-    list_methods: Annotated[bool, typer.Option("--list", help="Name the methods and end.")] = False,
-    sets: Annotated[int, typer.Option(help="Sets of each method, K.")] = 10,
+    full: Annotated[bool, option(help="Measure all methods, however long they take; default no.")] = False,
+    list_methods: Annotated[bool, option("--list", help="Only list the methods.")] = False,
+    sets: Annotated[int, option(help="Number of point sets of each method; default 10.")] = 10,
     seed: Seed = 0,
     json: Json = False,
 ) -> None:
@@ -28,7 +28,10 @@ def command(
 
     Example: tilewright compare --methods "dart 0.75,corner 4 32,corner-relaxed 4 32" --json
 
-    The settings are those of Lagae 2007, chapter 6: ten sets of 16,384 points of each method, and one of
-    262,144 for the zone plate. Calls tilewright.compare(methods, full=full) and its save(folder).
+    The settings are those of Lagae 2007, chapter 6: ten sets of about 16,384 points of each method, and one
+    of about 262,144 for the zone plate.
+
+    Calls tilewright.jobs.CompareJob(...).run(). That measures by tilewright.compare(methods, full=full, ...)
+    and saves by its save(folder).
     """
     perform("CompareJob", locals() | {"methods": parse_list(methods), "list": list_methods})

@@ -3,74 +3,91 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Json, Seed, parse_limits, parse_list
+from tilewright.cli.options import Json, option, parse_limits, parse_list
 from tilewright.cli.performing import perform
 
 
 def command(
     output: Annotated[
         Path | None,
-        typer.Option(
-            "-o", "--output", help="FILE.png, .svg, .npy or .cnf; else dapple.png.", show_default=False
+        option(
+            "-o",
+            "--output",
+            help="Picture FILE.png or .svg, tiles FILE.npy, or clauses FILE.cnf; default dapple.png.",
         ),
     ] = None,
     width: Annotated[
-        int | None, typer.Option(help="Cells; 64, or what suits --input.", show_default=False)
+        int | None,
+        option(help="Width in cells; default 64, or by the proportions of --input where --height is given."),
     ] = None,
     height: Annotated[
-        int | None, typer.Option(help="Cells; 40, or what suits --input.", show_default=False)
+        int | None, option(help="Height in cells; default 40, or by the proportions of --input.")
     ] = None,
     limit: Annotated[
         list[str] | None,
-        typer.Option(
-            help="Longest run, again for each: H0=2, V1=2, H0+2=3, H0=inf; else H0=2 and V1=2.",
-            show_default=False,
+        option(
+            metavar="LIMIT=CELLS",
+            help="Longest run in cells, once for each limit: H0=2 for tile 0 along a row, V1=2 for tile 1 "
+            "down a column, H0+2=3 for tiles 0 and 2 together, H0=inf for none; default H0=2 and V1=2.",
         ),
     ] = None,
     tiles: Annotated[
-        int | None, typer.Option(help="How many; else as many as are named.", show_default=False)
+        int | None, option(help="Number of tiles; default as many as limits and shares name.")
     ] = None,
     share: Annotated[
         list[float] | None,
-        typer.Option(help="How much of each tile the random start holds, once for each.", show_default=False),
+        option(
+            metavar="NUMBER",
+            help="Share of a tile in the random start, once for each tile; default equal shares.",
+        ),
     ] = None,
     input: Annotated[
-        Path | None, typer.Option(help="Picture to follow: tile 0 where it is dark.", show_default=False)
+        Path | None,
+        option(help="Picture to follow: tile 0 where it is dark; default none, a random start."),
     ] = None,
     dither: Annotated[
-        bool, typer.Option("--dither", help="Let grays of --input be mixtures, as far as limits allow.")
+        bool,
+        option("--dither", help="Show the grays of --input as mixtures of tiles, as far as limits allow."),
     ] = False,
-    cyclic: Annotated[bool, typer.Option("--cyclic", help="Close rows and columns to rings.")] = False,
+    cyclic: Annotated[bool, option("--cyclic", help="Close rows and columns to rings.")] = False,
     closest: Annotated[
-        bool, typer.Option("--closest", help="Change as few cells as can be, and prove it.")
+        bool, option("--closest", help="Change as few cells of the start as possible, and prove it.")
     ] = False,
-    endless: Annotated[bool, typer.Option("--endless", help="A window of an endless tiling.")] = False,
+    endless: Annotated[bool, option("--endless", help="Draw a window of an endless tiling.")] = False,
     x: Annotated[
-        int | None, typer.Option("--x", "-x", help="West cell of the window.", show_default=False)
+        int | None, option("--x", "-x", help="West-most cell of that window, anywhere; default 0.")
     ] = None,
-    y: Annotated[int | None, typer.Option("--y", "-y", help="North cell.", show_default=False)] = None,
+    y: Annotated[int | None, option("--y", "-y", help="North-most cell of that window; default 0.")] = None,
     pins: Annotated[
         Path | None,
-        typer.Option(help="FILE.npy of tiles to keep, -1 where any may be.", show_default=False),
+        option(help="FILE.npy or .csv of tiles to keep, -1 where any tile may lie; default none."),
     ] = None,
-    count: Annotated[bool, typer.Option("--count", help="Print how many tilings there are.")] = False,
+    count: Annotated[bool, option("--count", help="Only print how many tilings there are.")] = False,
     seconds: Annotated[
-        float | None, typer.Option(help="When --closest or --pins stop.", show_default=False)
-    ] = None,
-    cell: Annotated[int | None, typer.Option(help="Pixels along a cell.", show_default=False)] = None,
-    colors: Annotated[
-        str | None,
-        typer.Option(help="Of the tiles, or of lines and ground: '#27548f,#ecd5a3'.", show_default=False),
+        float | None,
+        option(help="Time in seconds after which --closest or --pins stop searching; default never."),
     ] = None,
     motif: Annotated[
-        str | None, typer.Option(help="fill, strokes or arcs: what each tile shows.", show_default=False)
+        str | None, option(help="What each tile shows: fill (default), strokes or arcs.")
     ] = None,
-    seed: Seed = 0,
+    cell: Annotated[
+        int | None, option(help="Size of a cell in pixels, 1 to 512; default by the size of the tiling.")
+    ] = None,
+    colors: Annotated[
+        str | None,
+        option(
+            help="Colors of the tiles, or for strokes and arcs of lines and ground, as '#27548f,#ecd5a3'; "
+            "default a palette."
+        ),
+    ] = None,
+    seed: Annotated[
+        int, option("--seed", help="Seed of the start and of what is left to chance; default 0.")
+    ] = 0,
     json: Json = False,
 ) -> None:
-    """Make a dappled tiling, in which no tile has long runs, and draw it; or count them, or write clauses.
+    """Make a dappled tiling and draw it; or count such tilings, or write their clauses for a SAT solver.
+
+    In a dappled tiling no tile has long runs along rows or columns.
 
     Example: tilewright dapple --width 80 --height 50 --motif arcs
 
@@ -80,9 +97,10 @@ def command(
 
     Example: tilewright dapple --count --width 8 --height 8
 
-    Calls tilewright.dapple(start, limits, ...) of tilewright.random_start(...) or start_from_image(...);
-    with --closest closest_dapple(start, limits), with --endless endless_dappled_tiling(limits).cells(x,
-    y, width, height), with --pins complete_dapple(pins, limits), with --count count_dappled(width,
-    height, limits), for a .cnf dapple_formula((height, width), limits).dimacs().
+    Calls tilewright.jobs.DappleJob(...).run(). That makes tilewright.dapple(start, limits, ...) of
+    random_start(...) or start_from_image(...); with --closest closest_dapple(start, limits), with --endless
+    endless_dappled_tiling(limits).cells(x, y, width, height), with --pins complete_dapple(pins, limits), with
+    --count count_dappled(width, height, limits), and for a .cnf dapple_formula((height, width),
+    limits).dimacs().
     """
     perform("DappleJob", locals() | {"limit": parse_limits(limit), "colors": parse_list(colors)})

@@ -3,28 +3,28 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Folder, Json, LatticeSeed, Map, Seed
+from tilewright.cli.options import Folder, Json, LatticeSeed, UnusedSeed, option
 from tilewright.cli.performing import perform
 
 
 def command(
     folder: Folder,
     output: Annotated[
-        Path,
-        typer.Option("-o", "--output", help="Folder to write; or a picture of one map.", show_default=False),
+        Path, option("-o", "--output", help="Folder to write, or one picture FILE.png, .tif or .exr.")
     ],
     to: Annotated[
         str,
-        typer.Option(
-            help="threejs, godot, unity, unreal, blender, glsl, hlsl, wgsl, osl, ktx2, atlas (a packing) or "
-            "array (one layer per tile; a picture only)."
+        option(
+            help="Target: threejs, godot, unity, unreal, blender, glsl, hlsl, wgsl, osl, ktx2, atlas (the "
+            "default: all tiles packed into one picture) or array (the tiles one below the other; a picture "
+            "only)."
         ),
     ] = "atlas",
-    map: Map = None,
+    map: Annotated[
+        str | None, option("--map", help="Name of the map that a picture shows; default the set's main map.")
+    ] = None,
     lattice_seed: LatticeSeed = 0,
-    seed: Seed = 0,
+    seed: UnusedSeed = 0,
     json: Json = False,
 ) -> None:
     """Write a tile set for an engine or another program.
@@ -33,8 +33,8 @@ def command(
 
     Example: tilewright export moss --to atlas -o moss-atlas.png
 
-    Calls tilewright.save_for_engine(material, folder, to, seed=lattice_seed); with -o FILE.png, .tif or .exr
-    tilewright.save_atlas(material, path, map=map) or tilewright.save_array(material, path, map=map).
-    Nothing here depends on --seed: it is the seed of construction.
+    Calls tilewright.jobs.ExportJob(...).run(). That writes tilewright.save_for_engine(material, folder, to,
+    seed=lattice_seed), or for a picture save_atlas(material, path, map=map) or
+    save_array(material, path, map=map).
     """
     perform("ExportJob", locals())

@@ -3,74 +3,79 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Json, Seed, parse_limits
+from tilewright.cli.options import Json, option, parse_limits
 from tilewright.cli.performing import perform
 
 
 def command(
     output: Annotated[
         Path,
-        typer.Option("-o", "--output", help="FILE.gif or .webp: animation; .png: a map; .npz: positions."),
+        option(
+            "-o",
+            "--output",
+            help="Animation FILE.gif or .webp, map FILE.png, or all arrays FILE.npz; default flow.gif.",
+        ),
     ] = Path("flow.gif"),
-    width: Annotated[int, typer.Option(help="Cells.")] = 40,
-    height: Annotated[int, typer.Option(help="Cells.")] = 25,
+    width: Annotated[int, option(help="Width in cells; default 40.")] = 40,
+    height: Annotated[int, option(help="Height in cells; default 25.")] = 25,
     limit: Annotated[
         list[str] | None,
-        typer.Option(
-            help="Longest run of - (0) and | (1), again for each: H0=2, V1=inf; else 3 for all.",
-            show_default=False,
+        option(
+            metavar="LIMIT=CELLS",
+            help="Longest run in cells of - (tile 0) and | (tile 1), once for each limit: H0=2, V1=inf; "
+            "default H0=3, V0=3, H1=3 and V1=3.",
         ),
     ] = None,
     input: Annotated[
-        Path | None, typer.Option(help="Picture to follow: - where it is dark.", show_default=False)
+        Path | None, option(help="Picture to follow: - where it is dark; default none, a random tiling.")
     ] = None,
     dither: Annotated[
-        bool, typer.Option("--dither", help="Let grays of --input be mixtures, as far as limits allow.")
+        bool,
+        option("--dither", help="Show the grays of --input as mixtures of tiles, as far as limits allow."),
     ] = False,
     cyclic: Annotated[
-        bool, typer.Option("--cyclic", help="Join opposite borders; else particles turn back there.")
+        bool, option("--cyclic", help="Join opposite borders; otherwise particles turn back there.")
     ] = False,
     leave: Annotated[
-        bool, typer.Option("--leave", help="Let particles go at borders instead of turning them back.")
+        bool, option("--leave", help="Let particles go at borders instead of turning them back.")
     ] = False,
     onward: Annotated[
-        bool, typer.Option("--onward", help="Never go back where one came from (the paper does).")
+        bool, option("--onward", help="Let no particle turn straight back; the paper lets them.")
     ] = False,
-    particles: Annotated[int, typer.Option(help="At the start.")] = 250,
-    steps: Annotated[int, typer.Option(help="Of time.")] = 200,
-    speed: Annotated[float, typer.Option(help="Cells for each step.")] = 0.125,
-    emit: Annotated[float, typer.Option(help="Share of cells that give birth, 0 to 1.")] = 0.0,
+    particles: Annotated[int, option(help="Number of particles at the start; default 250.")] = 250,
+    steps: Annotated[int, option(help="Number of time steps; default 200.")] = 200,
+    speed: Annotated[float, option(help="Speed in cells per step, 0.001 to 8; default 0.125.")] = 0.125,
+    emit: Annotated[float, option(help="Share of cells that give birth, 0 to 1; default 0.")] = 0.0,
     births: Annotated[
-        float | None, typer.Option(help="In each of these, for each step; 0.02.", show_default=False)
+        float | None, option(help="Births per step in each of those cells, on average; default 0.02.")
     ] = None,
-    kill: Annotated[float, typer.Option(help="Share of cells in whose center particles die.")] = 0.0,
-    slow: Annotated[float, typer.Option(help="Share of cells with 0.4 times the speed.")] = 0.0,
-    fast: Annotated[float, typer.Option(help="Share of cells with 2.5 times the speed.")] = 0.0,
-    every: Annotated[
-        int | None, typer.Option(help="Steps from frame to frame; 1.", show_default=False)
-    ] = None,
-    map: Annotated[
-        str | None, typer.Option(help="Of a .png: density or trails; density.", show_default=False)
-    ] = None,
+    kill: Annotated[
+        float, option(help="Share of cells in whose center particles die, 0 to 1; default 0.")
+    ] = 0.0,
+    slow: Annotated[float, option(help="Share of cells with 0.4 times the speed, 0 to 1; default 0.")] = 0.0,
+    fast: Annotated[float, option(help="Share of cells with 2.5 times the speed, 0 to 1; default 0.")] = 0.0,
+    every: Annotated[int | None, option(help="Steps from frame to frame; default 1.")] = None,
+    map: Annotated[str | None, option(help="What a .png shows: density (default) or trails.")] = None,
     size: Annotated[
-        int | None, typer.Option(help="Pixels along a cell; what suits.", show_default=False)
+        int | None, option(help="Size of a cell in pixels; default by the size of the tiling, at most 48.")
     ] = None,
     color: Annotated[
-        str | None, typer.Option(help="By direction or particle; direction.", show_default=False)
+        str | None, option(help="What the color of a particle tells: direction (default) or particle.")
     ] = None,
     trail: Annotated[
-        float | None,
-        typer.Option(help="Frames in which trails lose half their light; 8.", show_default=False),
+        float | None, option(help="Frames in which a trail loses half its light; default 8.")
     ] = None,
     fps: Annotated[
-        int | None, typer.Option("--fps", help="Frames for each second; 25.", show_default=False)
+        int | None, option("--fps", help="Frames per second of an animation, 1 to 50; default 25.")
     ] = None,
-    seed: Seed = 0,
+    seed: Annotated[
+        int, option("--seed", help="Seed of the tiling and of the particles, from 0 on; default 0.")
+    ] = 0,
     json: Json = False,
 ) -> None:
     """Let particles walk over a dappled tiling of - and |, and make an animation or a map of them.
+
+    On - a particle goes on west or east, on | north or south; in a dappled tiling neither has long runs.
 
     Example: tilewright flow
 
@@ -78,9 +83,9 @@ def command(
 
     Example: tilewright flow -o density.png --width 100 --height 60 --particles 5000 --steps 20000
 
-    Calls tilewright.simulate_flow(cells, tiles, particles=..., steps=...) on the tilewright.dapple(...) of
-    tilewright.random_start(...) or start_from_image(...), with tilewright.strew_tiles(cells, ...) for --emit,
-    --kill, --slow and --fast; then tilewright.save_animation(FILE, flow), draw_density(flow) or
-    draw_trails(flow).
+    Calls tilewright.jobs.FlowJob(...).run(). That runs tilewright.simulate_flow(cells, tiles, particles=...,
+    steps=...) on the dapple(...) of random_start(...) or start_from_image(...), with strew_tiles(cells, ...)
+    for --emit, --kill, --slow and --fast; then it writes by save_animation(FILE, flow), draw_density(flow),
+    draw_trails(flow) or save_flow(FILE, flow).
     """
     perform("FlowJob", locals() | {"limit": parse_limits(limit)})

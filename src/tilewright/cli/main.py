@@ -32,7 +32,6 @@ _INTERRUPTED = 130
 app = typer.Typer(
     name="tilewright",
     help="Endless, non-repeating textures and points from Wang tiles and corner tiles.",
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )

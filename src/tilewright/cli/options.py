@@ -1,5 +1,6 @@
 """What commands share: their common options, and texts that become values."""
 
+from functools import partial
 from math import inf
 from pathlib import Path
 from typing import Annotated
@@ -8,17 +9,20 @@ import typer
 
 from tilewright.errors import TilewrightError, TilewrightTypeError, TilewrightValueError
 
-Folder = Annotated[
-    Path, typer.Argument(help="A tile-set folder made by `tilewright texture`.", show_default=False)
+argument = partial(typer.Argument, show_default=False)
+option = partial(typer.Option, show_default=False)
+"""An option whose help gives the unit and then the default, so that typer need not say it again."""
+
+Folder = Annotated[Path, argument(help="A tile-set folder made by `tilewright texture`.")]
+Json = Annotated[bool, option("--json", help="Print one JSON object of the figures on stdout.")]
+Seed = Annotated[int, option("--seed", help="Seed of construction, from 0 on; default 0.")]
+UnusedSeed = Annotated[
+    int, option("--seed", help="Seed of construction; nothing is constructed here, so it changes nothing.")
 ]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON object of the figures on stdout.")]
-Seed = Annotated[int, typer.Option("--seed", help="Seed of construction; default 0.", show_default=False)]
 LatticeSeed = Annotated[
-    int, typer.Option("--lattice-seed", help="Seed of the direct tiling; default 0.", show_default=False)
+    int, option("--lattice-seed", help="Seed of the tiling, from 0 on: which tile lies where; default 0.")
 ]
-Map = Annotated[
-    str | None, typer.Option("--map", help="Which map; default the main one.", show_default=False)
-]
+Map = Annotated[str | None, option("--map", help="Name of the map; default the set's main map.")]
 
 
 def parse_pairs(option: str, given: list[str] | None) -> dict[str, str] | None:

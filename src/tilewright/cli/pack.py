@@ -3,31 +3,40 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Json, Seed
+from tilewright.cli.options import Json, option
 from tilewright.cli.performing import perform
 
 
 def command(
     output: Annotated[
         Path | None,
-        typer.Option(
-            "-o", "--output", help="FILE.png, .svg or .npy; else corner-2-packing.png.", show_default=False
+        option(
+            "-o",
+            "--output",
+            help="Picture FILE.png, jigsaw puzzle FILE.svg or tile indices FILE.npy; default a PNG named "
+            "after the set.",
         ),
     ] = None,
-    tiles: Annotated[str, typer.Option(help="corner or wang.")] = "corner",
-    colors: Annotated[int, typer.Option(help="1 to 16.")] = 2,
+    tiles: Annotated[str, option(help="Kind of tiles: corner (default) or wang.")] = "corner",
+    colors: Annotated[int, option(help="Number of colors C, 1 to 16; default 2.")] = 2,
     method: Annotated[
-        str, typer.Option(help="closed, search (up to 3 colors; --seed matters) or recursive.")
+        str,
+        option(
+            help="How the packing is found: closed (default), in closed form; search, up to 3 colors; or "
+            "recursive, with the packings over fewer colors inside."
+        ),
     ] = "closed",
-    count: Annotated[bool, typer.Option("--count", help="Count all packings; 2 colors.")] = False,
-    piece_mm: Annotated[float, typer.Option(help="FILE.svg: size of a piece in mm.")] = 30,
+    count: Annotated[bool, option("--count", help="Count all packings, over 2 colors.")] = False,
+    piece_mm: Annotated[float, option(help="Size of a puzzle piece in millimeters; default 30.")] = 30,
     picture: Annotated[
-        Path | None, typer.Option(help="FILE.svg: a PNG or JPEG to print on the pieces.")
+        Path | None, option(help="PNG or JPEG to print on the pieces of a puzzle; default none.")
     ] = None,
-    engrave: Annotated[str, typer.Option(help="FILE.svg: none, colors or numbers.")] = "none",
-    seed: Seed = 0,
+    engrave: Annotated[
+        str, option(help="What is engraved on the pieces of a puzzle: none (default), colors or numbers.")
+    ] = "none",
+    seed: Annotated[
+        int, option("--seed", help="Which packing --method search finds, from 0 on; default 0.")
+    ] = 0,
     json: Json = False,
 ) -> None:
     """Write a tile packing: every tile of the complete set once, on a torus, neighbors matching.
@@ -39,7 +48,8 @@ def command(
 
     Example: tilewright pack --colors 3 --method search --seed 7 --picture photo.jpg -o puzzle.svg
 
-    Calls tilewright.packing(tilewright.corner_tiles(colors)).indices(0, 0, C^2, C^2), or random_packing,
-    recursive_packing, count_packings and draw_jigsaw. Only what is found by search depends on --seed.
+    Calls tilewright.jobs.PackJob(...).run(). That packs by
+    tilewright.packing(tilewright.corner_tiles(colors)), random_packing(...) or recursive_packing(...),
+    counts by count_packings(...), and draws by draw_jigsaw(...) or paint_tiling(...).
     """
     perform("PackJob", locals())

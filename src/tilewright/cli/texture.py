@@ -3,61 +3,102 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Json, Seed, parse_pairs, parse_size, parse_spots, parse_weights
+from tilewright.cli.options import (
+    Json,
+    Seed,
+    argument,
+    option,
+    parse_pairs,
+    parse_size,
+    parse_spots,
+    parse_weights,
+)
 from tilewright.cli.performing import perform
 
 
 def command(
     photo: Annotated[
         Path | None,
-        typer.Argument(
-            help="The photograph, or a folder of a material's maps; or give --map, or --from.",
-            show_default=False,
-        ),
+        argument(help="The photograph, or a folder of a material's maps; or give --map, --from or --like."),
     ] = None,
     output: Annotated[
         Path | None,
-        typer.Option("-o", "--output", help="Folder for the tile set: tiles; with --like, that one."),
+        option(
+            "-o",
+            "--output",
+            help="Folder for the tile set; default tiles, or with --like the folder named there.",
+        ),
     ] = None,
     tiles: Annotated[
-        str, typer.Option(help="corner, wang, cohen-8, cohen-12, cohen-18 or corner-coded.")
+        str,
+        option(help="Tile set: corner (default), wang, cohen-8, cohen-12, cohen-18 or corner-coded."),
     ] = "corner",
-    colors: Annotated[int | None, typer.Option(help="Colors of the complete set.")] = None,
-    tile_size: Annotated[str, typer.Option(help="Pixels along a tile (even), or auto.")] = "128",
-    map: Annotated[
-        list[str] | None, typer.Option("--map", help="NAME=FILE, for each map of a stack.")
+    colors: Annotated[
+        int | None,
+        option(help="Number of colors of corner or wang, 1 to 16; default 2, or 4 for corner with --second."),
     ] = None,
-    weight: Annotated[
-        list[str] | None, typer.Option(help="NAME=NUMBER: what a map counts in the cut.")
+    tile_size: Annotated[
+        str, option(help="Size of a tile in pixels, even, 16 to 1024, or auto; default 128.")
+    ] = "128",
+    method: Annotated[
+        str | None,
+        option(
+            help="How tiles are made: nested (default), ng or squares for corners; centered-diamonds "
+            "(default), diamonds or burke for Wang tiles."
+        ),
+    ] = None,
+    map: Annotated[
+        list[str] | None, option("--map", metavar="NAME=FILE", help="Map of a material, once for each map.")
     ] = None,
     kind: Annotated[
         list[str] | None,
-        typer.Option(help="NAME=color|data|roughness|height|normal-gl|normal-dx: what a map holds."),
+        option(
+            metavar="NAME=KIND",
+            help="What a map holds: color, data, roughness, height, normal-gl or normal-dx; "
+            "default as its name tells.",
+        ),
+    ] = None,
+    weight: Annotated[
+        list[str] | None,
+        option(
+            metavar="NAME=NUMBER", help="What a map counts in the cut; default 1 for color, 0.1 for others."
+        ),
     ] = None,
     normal: Annotated[
-        str | None, typer.Option(help="gl or dx: green of normal maps points up or down.")
+        str | None,
+        option(help="Whether green of normal maps points up (gl) or down (dx); default found from the maps."),
     ] = None,
     flatten: Annotated[
-        bool, typer.Option("--flatten", help="Take out light that varies slowly, which shows repetition.")
+        bool, option("--flatten", help="Take out light that varies slowly, which shows repetition.")
     ] = False,
-    mask: Annotated[Path | None, typer.Option(help="Picture: white may be copied.")] = None,
-    second: Annotated[Path | None, typer.Option(help="Second photograph, for marked corners.")] = None,
-    method: Annotated[str | None, typer.Option(help="How tiles are made; see the documentation.")] = None,
+    mask: Annotated[
+        Path | None, option(help="Picture that is white where pixels may be copied; default everywhere.")
+    ] = None,
+    second: Annotated[
+        Path | None,
+        option(help="Second photograph, shown by the upper half of the corner colors; default none."),
+    ] = None,
     from_: Annotated[
-        Path | None, typer.Option("--from", help="Make this set again, with --reject or --pick.")
+        Path | None,
+        option("--from", help="Tile-set folder to make again, with --reject or --pick; default none."),
+    ] = None,
+    reject: Annotated[
+        list[str] | None,
+        option(metavar="NAME", help="Name of a patch that must come from elsewhere, such as center:5."),
+    ] = None,
+    pick: Annotated[
+        list[str] | None,
+        option(metavar="NAME=SOURCE,Y,X", help="Place in a source, in pixels, for a patch by name."),
     ] = None,
     like: Annotated[
-        Path | None, typer.Option(help="Cut the maps given by --map as this set was cut, and add them to it.")
+        Path | None,
+        option(help="Tile-set folder to which the maps of --map are added, cut as it was; default none."),
     ] = None,
-    reject: Annotated[list[str] | None, typer.Option(help="Name of a patch: not this one.")] = None,
-    pick: Annotated[list[str] | None, typer.Option(help="NAME=SOURCE,Y,X: take a patch from there.")] = None,
-    threads: Annotated[int | None, typer.Option(help="All processors by default.")] = None,
+    threads: Annotated[int | None, option(help="Number of threads; default all processors.")] = None,
     seed: Seed = 0,
     json: Json = False,
 ) -> None:
-    """Make texture tiles from a photograph.
+    """Make texture tiles from a photograph, or from the maps of a scanned material.
 
     Example: tilewright texture moss.jpg -o moss --colors 3 --seed 1
 
@@ -65,8 +106,9 @@ def command(
 
     Example: tilewright texture --like moss --map emissive=e.png
 
-    Calls tilewright.texture_tiles(photo, tiles, ...) and tilewright.save(material, folder); with --from
-    tilewright.resynthesize(material, reject=..., pick=...); with --like tilewright.add_maps(material, maps).
+    Calls tilewright.jobs.TextureJob(...).run(). That makes tilewright.texture_tiles(photo, tiles, ...), with
+    --from resynthesize(material, reject=..., pick=...) or with --like add_maps(material, maps), and saves it
+    by save(material, folder).
     """
     perform(
         "TextureJob",

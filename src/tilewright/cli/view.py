@@ -3,24 +3,23 @@
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
-from tilewright.cli.options import Folder, Json, LatticeSeed, Seed
+from tilewright.cli.options import Folder, Json, LatticeSeed, UnusedSeed, option
 from tilewright.cli.performing import perform
 
 
 def command(
     folder: Folder,
-    output: Annotated[Path, typer.Option("-o", "--output", help="FILE.html", show_default=False)],
+    output: Annotated[Path, option("-o", "--output", help="Page to write: FILE.html.")],
     compare: Annotated[
         bool,
-        typer.Option(
+        option(
             "--compare",
-            help="Beside plain repeat, hex-tiling, by-example noise, and the other of Wang and corner tiles.",
+            help="Show plain repeat, hex-tiling, by-example noise, and the other of Wang and corner tiles "
+            "too.",
         ),
     ] = False,
     lattice_seed: LatticeSeed = 0,
-    seed: Seed = 0,
+    seed: UnusedSeed = 0,
     json: Json = False,
 ) -> None:
     """Write a page to pan, zoom and tilt over the endless plane; it works offline.
@@ -29,7 +28,8 @@ def command(
 
     Example: tilewright view moss --compare -o moss-compared.html
 
-    Calls tilewright.save_viewer(material, path, seed=lattice_seed); with --compare, and with compare=
-    tilewright.compare_textures(material, seed=lattice_seed), whose figures --json prints.
+    Calls tilewright.jobs.ViewJob(...).run(). That saves tilewright.save_viewer(material, path,
+    seed=lattice_seed), with --compare also compare=compare_textures(material, seed=lattice_seed), whose
+    figures --json prints.
     """
     perform("ViewJob", locals())
