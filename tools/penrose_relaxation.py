@@ -20,7 +20,6 @@ from tilewright.samplers.penrose import (
     PHI,
     STRUCTURES,
     TURNS,
-    VECTORS,
     Samples,
     Window,
     find_samples,
@@ -152,7 +151,3 @@ class Patch:
             np.concatenate([moves, -moves]) / self.frames[both],
             np.concatenate([missing, missing]),
         )
-
-
-if __name__ == "__main__":
-    np.save(VECTORS, relax_vectors().astype(np.float32))
