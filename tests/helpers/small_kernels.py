@@ -45,19 +45,18 @@ def points():
     from tilewright.samplers import METHODS
 
     for method in METHODS:
-        yield method, tw.sample_points(method, 24, seed=3).points
-    tiles = tw.poisson_tiles(tw.corner_tiles(2), points=8, rho=0.6, seed=1)
+        yield method, tw.sample_points(method, 9, seed=3).points
+    one = tw.corner_tiles(1)
+    tiles = tw.poisson_tiles(one, points=8, rho=0.5, method="relaxed", variants=2, seed=1)
     yield "tiles", tiles.points
-    for method in ("corner-relaxed", "edge", "template", "shade", "hiller", "kopf"):
-        yield method, tw.make_point_tiles(method, 8, 0.5, colors=2, seed=1).points
+    yield "closeness", np.array(tw.find_closeness(tiles).within)
     field = tw.PointField(tiles, tw.direct(tiles.tiles, 7))
     yield "points", field.points(-0.5, 1.25, 3, 2)
     yield "whole tiles", field.points(-1, 1, 2, 2)
     yield "sample", field.sample(20)
     yield "nearest", field.nearest([[0.5, 0.5], [-7.1, 3.3]])[0]
-    plane = tw.sample_points("dart", 40, seed=1)
+    plane = tw.sample_points("dart", 20, seed=1)
     yield "spectrum", tw.power_spectrum(plane).power[:4, :4]
-    yield "zone plate", tw.zone_plate(plane, size=16).picture
 
 
 def textures():
