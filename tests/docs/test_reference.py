@@ -13,14 +13,19 @@ PAGES = sorted((ROOT / "docs/reference").glob("*.md"))
 STUBS = {
     "tilewright": ROOT / "src/tilewright/__init__.pyi",
     "tilewright.gpu": ROOT / "src/tilewright/gpu/__init__.pyi",
+    "tilewright.jobs": ROOT / "src/tilewright/jobs/__init__.pyi",
 }
+
+FUNCTIONS = ("texture_tiles", "open_exemplar", "add_maps")
+"""Of a room, but shown as names of the package."""
 
 
 def public_names():
     return [
         f"{package}.{name}"
         for package, stub in STUBS.items()
-        for name in re.findall(r" as (\w+),", stub.read_text())
+        for name in re.findall(r" as (\w+)", stub.read_text())
+        if package == "tilewright" or name not in FUNCTIONS
     ]
 
 

@@ -22,6 +22,8 @@ def tilings():
     yield "packing", tw.random_packing(tw.corner_tiles(2), seed=3).cells
     yield "packings", np.array(tw.count_packings(tw.wang_tiles(1)))
     yield "dapple", tw.dapple(tw.random_start(9, 8, seed=1), {"H0": 2, "V1": 2}, seed=1)
+    three = tw.random_start(6, 5, (1, 1, 1), 1)
+    yield "dapple of subsets", tw.dapple(three, {"H0+1": 2, "V2": 2}, seed=1)
     yield "endless dapple", tw.endless_dappled_tiling({"H0": 2, "V1": 2}, seed=1).cells(-3, 5, 6, 4)
     yield "dappled tilings", np.array(tw.count_dappled(3, 3, {"H0": 2, "V1": 2}))
     wall = tw.endless_brick_tiling(3, 5)
@@ -37,6 +39,10 @@ def flows():
     cells = np.arange(12).reshape(3, 4) % 3
     flow = tw.simulate_flow(cells, tiles, particles=5, steps=9, seed=2)
     yield "flow", flow.positions
+    yield (
+        "flow out",
+        tw.simulate_flow(cells, tiles, particles=5, steps=9, torus=False, leaves=True, seed=2).positions,
+    )
     yield "trails", tw.draw_trails(flow, size=6)
 
 
@@ -62,17 +68,10 @@ def points():
 def textures():
     """Cuts and copies of texture tiles."""
     rng = np.random.default_rng(5)
-    photo = (rng.random((48, 48, 3)) * 255).astype(np.uint8)
-    material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size=16, seed=1)
+    photo = (rng.random((40, 40, 1)) * 255).astype(np.uint8)
+    material = tw.texture_tiles(photo, tw.corner_tiles(1), tile_size=16, seed=1)
     yield "texture", material.origins
     yield "field", tw.TextureField(material, tw.direct(material.tiles, 7)).render(-5, 3, 40, 20)
-    from tilewright.kernels.mincut import cut_grid
-
-    capacity = rng.integers(0, 9, (4, 36)).astype(np.int32)
-    terminal = rng.integers(-9, 9, 36).astype(np.int32)
-    side = np.zeros(36, np.uint8)
-    cut_grid(capacity, terminal, 6, side)
-    yield "cut", side
 
 
 def work() -> dict[str, str]:

@@ -42,7 +42,7 @@ class FlowJob(Job):
     leave : bool, optional
         Let particles go at borders; default False.
     onward : bool, optional
-        Never go back where one came from, as in the paper; default False.
+        Never go back where one came from; default False: particles may turn back, as in the paper.
     particles : int, optional
         Particles at the start; default 250.
     steps : int, optional
