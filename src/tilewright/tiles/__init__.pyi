@@ -76,3 +76,6 @@ from .tileset import (
 from .tileset import (
     encode as encode,
 )
+from .variants import (
+    Variants as Variants,
+)

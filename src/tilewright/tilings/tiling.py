@@ -10,7 +10,10 @@ from tilewright.checks import as_integers
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
+from tilewright.tiles.variants import Variants, check_variants
 from tilewright.tilings.domain import Domain
+from tilewright.tilings.hashes import LatticeHash, MixerHash
+from tilewright.tilings.placements import Placements, draw_rows
 
 _MOST_TILES = 2**31
 
@@ -26,6 +29,7 @@ class Tiling(ABC):
 
     tiles: TileSet
     domain: Domain
+    _variant_hash: LatticeHash = MixerHash(0)
 
     def indices(self, *window: int, out: NDArray[np.int32] | None = None) -> NDArray[np.int32]:
         """Tile indices of a window of cells, equal to the same cells of any other window.
@@ -64,6 +68,38 @@ class Tiling(ABC):
             raise TilewrightValueError(f"out is {kind} {out.shape}; expected int32 {shape}")
         self._fill(tuple(int(s) for s in start), out)
         return out
+
+    def placements(self, *window: int, variants: Variants | None = None) -> Placements:
+        """Tile, variant and quarter turn of each cell of a window; no tiling turns tiles yet.
+
+        Parameters
+        ----------
+        *window : int
+            As in `indices`.
+        variants : Variants, optional
+            How many variants each tile has, and their weights; one of each by default. A variant is drawn by
+            a hash at its cell (folded into the tiling's period): the tiling's own where it is `direct`, that
+            of seed 0 elsewhere.
+
+        Returns
+        -------
+        Placements
+            Three arrays of the window's shape.
+        """
+        indices = self.indices(*window)
+        chosen = np.zeros_like(indices)
+        if variants is not None:
+            chosen = (self.rows(*window, variants=variants) - variants.starts[indices]).astype(np.int32)
+        return Placements(indices, chosen, np.zeros(indices.shape, np.int8))
+
+    def rows(self, *window: int, variants: Variants) -> NDArray[np.int32]:
+        """`placements` as one number a cell: the row that it shows of a signal with ``variants``."""
+        check_variants(variants, self.tiles)
+        indices = self.indices(*window)
+        if len(variants) == len(self.tiles):
+            return indices
+        start = tuple(int(s) for s in window[: self.tiles.shape.dimension])
+        return draw_rows(indices, variants, self._variant_hash, self.domain, start)
 
     @abstractmethod
     def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:

@@ -10,13 +10,14 @@ from tilewright.checks import check_int, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
+from tilewright.tiles.variants import NUMBER_BITS, Variants, check_variants
 
 _ONE = np.nextafter(np.float32(1), np.float32(0))
 
 
 @dataclass(frozen=True, eq=False)
 class PointTiles:
-    """Points over a tile set: V variants of T tiles.
+    """Points over a tile set, with one or several variants of each tile.
 
     Attributes
     ----------
@@ -25,13 +26,13 @@ class PointTiles:
     points : float32 array, shape (P, 2)
         The points of all tiles one after another, 0 <= x, y < 1 within the tile, x first. Those of one
         tile lie in the order of their ranks.
-    starts : int64 array, shape (T V + 1,)
-        Where each tile's points start and end; variant v of tile t is number t V + v.
+    starts : int64 array, shape (rows + 1,)
+        Where the points of each row start and end; a row is a variant of a tile, see ``variants``.
     ranks : float32 array, shape (P,)
         0 <= rank < 1: keeping the points of rank below d in every tile leaves a share of about d of them,
         as evenly spread as can be.
-    variants : int
-        Interchangeable fillings of every tile.
+    variants : Variants
+        Interchangeable fillings of the tiles, and how often each is drawn; one of each by default.
     distance : float
         No two points of any tiling are closer, in tile lengths; 0 where nothing is promised.
     method : str
@@ -45,7 +46,7 @@ class PointTiles:
     points: NDArray[np.float32]
     starts: NDArray[np.int64]
     ranks: NDArray[np.float32]
-    variants: int = 1
+    variants: Variants = None  # type: ignore[assignment]  # set below, for the set at hand
     distance: float = 0.0
     method: str = "given"
     recipe: dict[str, Any] = field(default_factory=dict)
@@ -61,14 +62,15 @@ class PointTiles:
                 f"points has shape {self.points.shape}, ranks {self.ranks.shape} and starts "
                 f"{self.starts.shape}; expected (P, 2), (P,) and one axis"
             )
-        object.__setattr__(self, "variants", check_int("variants", self.variants, 1, 2**31))
+        given = Variants.uniform(self.tiles) if self.variants is None else self.variants
+        object.__setattr__(self, "variants", check_variants(given, self.tiles))
         object.__setattr__(self, "distance", check_real("distance", self.distance, 0.0, 1.5))
         if not isinstance(self.method, str) or not isinstance(self.recipe, dict):
             raise TilewrightTypeError("method must be a word and recipe a dict")
-        if len(self.starts) != len(self.tiles) * self.variants + 1:
+        if len(self.starts) != len(self.variants) + 1:
             raise TilewrightValueError(
-                f"starts has {len(self.starts)} entries; {len(self.tiles)} tiles of {self.variants} variants "
-                f"need {len(self.tiles) * self.variants + 1}"
+                f"starts has {len(self.starts)} entries; {len(self.tiles)} tiles with {len(self.variants)} "
+                f"variants in all need {len(self.variants) + 1}"
             )
         if self.starts[0] != 0 or self.starts[-1] != n or (np.diff(self.starts) < 0).any():
             raise TilewrightValueError(f"starts must rise from 0 to the number of points, {n}")
@@ -112,18 +114,20 @@ class PointTiles:
 
     @property
     def density(self) -> float:
-        """Points per tile, on average over the set."""
-        return len(self.points) / (len(self.starts) - 1)
+        """Points per tile, on average over the set, variants by their weights."""
+        if self.variants.even:
+            return len(self.points) / len(self.variants)
+        return float((self.counts * (self.variants.shares / 2**NUMBER_BITS)).sum() / len(self.tiles))
 
     @property
     def counts(self) -> NDArray[np.int64]:
-        """Points of every tile and variant, shape (T V,)."""
+        """Points of every row, shape (rows,)."""
         return np.diff(self.starts)
 
     def tile(self, index: int, variant: int = 0) -> NDArray[np.float32]:
         """Points of one tile, shape (n, 2), in the order of their ranks."""
         index = check_int("index", index, 0, len(self.tiles) - 1)
-        row = index * self.variants + check_int("variant", variant, 0, self.variants - 1)
+        row = self.variants.row(index, variant)
         return self.points[self.starts[row] : self.starts[row + 1]]
 
 
