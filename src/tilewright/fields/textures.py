@@ -31,7 +31,8 @@ class TextureField:
     Notes
     -----
     Pixel (0, 0) is the north-west pixel of cell (0, 0); x grows east and y grows south. Cells reach
-    to +-2^61, so pixel coordinates are Python integers of any size up to that many tiles.
+    to +-2^61, so pixel coordinates are Python integers of any size up to that many tiles. Variants of tiles
+    are drawn as `Tiling.placements` tells.
     """
 
     def __init__(self, material: TextureTiles, tiling: Tiling) -> None:
@@ -79,7 +80,7 @@ class TextureField:
         pixel = channels * tiles.itemsize
         copy_tiles(
             np.ascontiguousarray(tiles).view(np.uint8).reshape(len(tiles), size, size * pixel),
-            self.tiling.indices(column, row, columns, rows),
+            self.tiling.rows(column, row, columns, rows, variants=self.material.variants),
             top,
             left,
             size,

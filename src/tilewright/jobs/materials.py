@@ -110,7 +110,7 @@ def add_maps(
     meaning = _Meaning(kinds, normal, flatten)
     prepared, settled = _prepare([photo] if second is None else [photo, second], meaning, sizes)
     new = Exemplar(prepared, None, None, settled)
-    maps = copy_maps(new.sources, material.origins, new.kinds, material.tiles)
+    maps = copy_maps(new.sources, material.origins, new.kinds, material.tiles, material.variants)
     recipe = dict(material.recipe)
     if isinstance(recipe.get("weights"), dict):
         recipe["weights"] = dict.fromkeys(new.kinds, 0.0) | recipe["weights"]
@@ -225,7 +225,8 @@ def texture_tiles(
     seed : int
         The same seed gives the same bytes.
     **options
-        ``method``, ``pick``, ``reject``, ``threads`` and ``progress``, as in `tilewright.synthesize`.
+        ``method``, ``variants``, ``pick``, ``reject``, ``threads`` and ``progress``, as in
+        `tilewright.synthesize`.
 
     Raises
     ------

@@ -19,7 +19,7 @@ class Sample:
     ----------
     material : TextureTiles
     cells : int array, shape (n, n)
-        Tile of each cell.
+        Picture in each cell: its row in the material's maps.
     """
 
     material: TextureTiles
@@ -31,7 +31,7 @@ class Sample:
         return self.material.tile_size
 
     def assemble(self, tiles: NDArray[np.generic]) -> NDArray[np.generic]:
-        """Per-tile pictures, shape (T, size, size, k), laid side by side."""
+        """Pictures, shape (rows, size, size, k), laid side by side."""
         rows, columns = self.cells.shape
         picture = tiles[self.cells].swapaxes(1, 2)
         return picture.reshape(rows * self.size, columns * self.size, -1)
@@ -62,4 +62,5 @@ class Sample:
 def lay_sample(material: TextureTiles, cells: int = 12, seed: int = 0) -> Sample:
     """A random piece of n x n cells, laid directly where the set allows it and by scanline otherwise."""
     n = check_int("cells", cells, 4, 64)
-    return Sample(material, stochastic(material.tiles, n, n, seed).indices(0, 0, n, n))
+    tiling = stochastic(material.tiles, n, n, seed)
+    return Sample(material, tiling.rows(0, 0, n, n, variants=material.variants))

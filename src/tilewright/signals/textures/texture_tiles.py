@@ -1,4 +1,4 @@
-"""The result of texture synthesis: one picture per tile, and where each pixel came from."""
+"""The result of texture synthesis: pictures of each tile, and where each pixel came from."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -9,23 +9,28 @@ from numpy.typing import NDArray
 from tilewright.errors import TilewrightValueError
 from tilewright.signals.textures.kinds import guess_kind
 from tilewright.tiles import TileSet
+from tilewright.tiles.variants import Variants, check_variants
 
 
 @dataclass(frozen=True, eq=False)
 class TextureTiles:
-    """A texture over a tile set: T tiles of H x W pixels, for one or several maps cut alike.
+    """A texture over a tile set: pictures of H x W pixels, for one or several maps cut alike.
+
+    A tile has one picture or several, its variants, of which any may lie anywhere: their borders are the
+    same. Pictures are rows, the variants of a tile one after another; where every tile has one, row t is
+    tile t.
 
     Attributes
     ----------
     tiles : TileSet
-        What may meet; tile t of every map belongs to row t of ``tiles.slots``.
-    maps : dict of str to array, shape (T, H, W, channels), uint8, uint16 or float32
+        What may meet.
+    maps : dict of str to array, shape (rows, H, W, channels), uint8, uint16 or float32
         The maps of the material in the order given; the first is the main one.
     sources : tuple of dict of str to array, shape (h, w, channels)
         The exemplars: one dict for each source, with the same map names.
-    origins : array, shape (T, H, W, 3), uint16
-        The source pixel each tile pixel was copied from: (source number, y, x). By construction
-        ``maps[name][t, i, j] == sources[s][name][y, x]``, but for normals and heights near cuts, which
+    origins : array, shape (rows, H, W, 3), uint16
+        The source pixel each pixel was copied from: (source number, y, x). By construction
+        ``maps[name][row, i, j] == sources[s][name][y, x]``, but for normals and heights near cuts, which
         are closed there.
     recipe : dict
         Method, seed, parameters and the places of all patches: what is needed to make the set again.
@@ -34,6 +39,8 @@ class TextureTiles:
         For each source, the pixels that may be copied; empty where all may.
     kinds : dict of str to str
         What each map holds, one of `KINDS`; guessed from its name where not given.
+    variants : Variants
+        The rows of each tile and how often each is drawn; one row for each tile by default.
     """
 
     tiles: TileSet
@@ -43,6 +50,7 @@ class TextureTiles:
     recipe: dict[str, Any] = field(default_factory=dict)
     masks: tuple[NDArray[np.bool_], ...] = ()
     kinds: dict[str, str] = field(default_factory=dict)
+    variants: Variants = None  # type: ignore[assignment]  # set below, for the set at hand
 
     def __post_init__(self) -> None:
         if not self.maps:
@@ -54,11 +62,14 @@ class TextureTiles:
             if pixels.ndim != 4 or pixels.shape[:3] != self.origins.shape[:3]:
                 raise TilewrightValueError(
                     f"map {name!r} has shape {pixels.shape}; expected "
-                    f"(tiles, height, width, channels) with the first three {self.origins.shape[:3]}"
+                    f"(rows, height, width, channels) with the first three {self.origins.shape[:3]}"
                 )
-        if len(self.tiles) != self.origins.shape[0]:
+        given = Variants.uniform(self.tiles) if self.variants is None else self.variants
+        object.__setattr__(self, "variants", check_variants(given, self.tiles))
+        if len(self.variants) != self.origins.shape[0]:
+            several = f" with {len(self.variants)} variants" if len(self.variants) > len(self.tiles) else ""
             raise TilewrightValueError(
-                f"{self.origins.shape[0]} pictures were given for a set of {len(self.tiles)} tiles"
+                f"{self.origins.shape[0]} pictures were given for a set of {len(self.tiles)} tiles{several}"
             )
 
     @property
@@ -73,7 +84,7 @@ class TextureTiles:
 
     @property
     def pixels(self) -> NDArray[Any]:
-        """The main map, shape (T, H, W, channels)."""
+        """The main map, shape (rows, H, W, channels)."""
         return self.maps[self.main]
 
 
