@@ -16,6 +16,8 @@ from tilewright.tiles.tileset import TileSet, check_tiles
 
 NUMBER_BITS = 24
 """Bits of the numbers by which variants are drawn, as lattice hashes give them."""
+MOST_SHADED = 256
+"""Variants of a tile that shaders can draw: the product of such a number and theirs fits in 32 bits."""
 _ALL = 2**NUMBER_BITS
 _MOST_ROWS = 2**31
 

@@ -37,7 +37,8 @@ def save_for_engine(material: TextureTiles, folder: str | Path, to: str, *, seed
     Parameters
     ----------
     material : TextureTiles
-        Over a complete corner set of 1 to 8 colors.
+        Over a complete corner set of 1 to 8 colors, with as many variants of every tile, drawn alike, up to
+        256.
     folder : str or Path
         Made whole or not at all. A folder of an earlier export is replaced, another one that is not empty
         refused.
@@ -47,12 +48,12 @@ def save_for_engine(material: TextureTiles, folder: str | Path, to: str, *, seed
         ``atlas``: pictures.
     seed : int
         Seed of the tiling, 0 to 2^64 - 1, built into the shader. Cells within 32 bits have the tiles of
-        ``direct(material.tiles, seed)``.
+        ``direct(material.tiles, seed)``, and the variants that it draws.
 
     Raises
     ------
     TilewrightValueError
-        No such target, or the tiles are not a complete corner set.
+        No such target, or the tiles are not a complete corner set or have other variants.
     TilewrightFileError
         The folder holds other things, or cannot be written.
     """

@@ -30,15 +30,13 @@ from tilewright.signals.textures.squares import lay_ng, lay_squares
 from tilewright.signals.textures.texture_tiles import TextureTiles
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
-from tilewright.tiles.variants import Variants
+from tilewright.tiles.variants import MOST_SHADED, Variants
 
 CORNER_METHODS = ("nested", "ng", "squares")
 EDGE_METHODS = ("centered-diamonds", "diamonds", "burke")
 METHODS = CORNER_METHODS + EDGE_METHODS
 _WITH_CENTERS = ("nested", "ng", "centered-diamonds")
 """Methods that lay a patch of its own in each tile."""
-MOST_VARIANTS = 256
-"""Shaders draw them in 32 bits from numbers of 24."""
 SMALLEST_TILE, LARGEST_TILE = 16, 1024
 MOST_PIXELS = 2**28
 """Of all tiles together: about 5 GB of memory while they are made."""
@@ -124,7 +122,7 @@ def synthesize(
         raise TilewrightValueError(
             f"method {method!r} does not go with {tiles.shape.name} tiles; allowed are {', '.join(allowed)}"
         )
-    if check_int("variants", variants, 1, MOST_VARIANTS) > 1 and method not in _WITH_CENTERS:
+    if check_int("variants", variants, 1, MOST_SHADED) > 1 and method not in _WITH_CENTERS:
         raise TilewrightValueError(
             f"variants is {variants}, and method {method!r} lays no patch of its own in each tile; use "
             f"{', '.join(m for m in allowed if m in _WITH_CENTERS)}"
