@@ -17,11 +17,9 @@ from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.point_set import PointSet
 from tilewright.showing import Shown, describe
 from tilewright.signals.points import PointTiles
-from tilewright.tilings import MixerHash, Tiling
+from tilewright.tilings import Tiling
 from tilewright.tilings.density import evaluate_density
-from tilewright.tilings.direct_tiling import DirectTiling
 from tilewright.tilings.domain import LARGEST_CELL
-from tilewright.tilings.streams import VARIANTS
 
 _BLOCK_POINTS = 2**22
 
@@ -277,16 +275,8 @@ class PointField(Shown):
         return PointSet(points, box, f"{self.tiles.method} tiles", distance)
 
     def rows_at(self, column: int, row: int, columns: int, rows: int) -> NDArray[np.int32]:
-        """Which filling each cell of a window has: tile index times variants, plus the variant."""
-        indices = self.tiling.indices(column, row, columns, rows)
-        variants = self.tiles.variants
-        if variants == 1:
-            return indices
-        domain = self.tiling.domain
-        hash = self.tiling.hash if isinstance(self.tiling, DirectTiling) else MixerHash(0)
-        x, y = domain.wrap(0, column, columns), domain.wrap(1, row, rows)
-        picked = hash.numbers(VARIANTS, x[np.newaxis, :], y[:, np.newaxis]) * variants >> 24
-        return (indices * variants + picked).astype(np.int32)
+        """Which filling each cell of a window has: the row of its tile's variant."""
+        return self.tiling.rows(column, row, columns, rows, variants=self.tiles.variants)
 
     def _view(self, window: Window) -> View:
         return View.of(self.rows_at, self.tiles.density, window)
