@@ -163,9 +163,7 @@ def test_more_points_include_fewer():
 
 @pytest.mark.parametrize("local", [False, True])
 def test_blocks_hold_what_the_window_holds(local, monkeypatch):
-    from tilewright.fields.points import field as point_field
-
-    monkeypatch.setattr(point_field, "_BLOCK_POINTS", 700)
+    monkeypatch.setattr(tw.PointField, "_block_points", 700)
     field = field_of("corner")
 
     def share(x, y):
@@ -303,9 +301,7 @@ def test_points_and_tiling_must_be_of_one_set():
     ],
 )
 def test_blocks_miss_nothing_far_out_and_in_small_numbers(window, local, monkeypatch):
-    from tilewright.fields.points import field as point_field
-
-    monkeypatch.setattr(point_field, "_BLOCK_POINTS", 500)
+    monkeypatch.setattr(tw.PointField, "_block_points", 500)
     field = field_of("corner")
     pieces = np.concatenate(list(field.blocks(*window, local=local)))
     whole = field.points(*window, local=local)
