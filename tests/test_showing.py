@@ -20,7 +20,7 @@ TILES = tw.corner_tiles(2)
 
 def point_tiles(variants=1):
     rows = [[[0.25, 0.5], [0.5, 0.75]]] * (16 * variants)
-    return tw.PointTiles.of(TILES, [np.array(r) for r in rows], variants=variants)
+    return tw.PointTiles.of(TILES, [np.array(r) for r in rows], variants=tw.Variants.uniform(TILES, variants))
 
 
 def point_field():
@@ -73,6 +73,9 @@ UNPICTURED = {
     "transducer": lambda: tw.strip(tw.wang_tiles(2), 1),
     "mixer": lambda: tw.MixerHash(2**63 + 5),
     "permutation": lambda: tw.PermutationHash(7),
+    "variants": lambda: tw.Variants.uniform(TILES, 3),
+    "weighted variants": lambda: tw.Variants.weighted([[1, 2]] * 16),
+    "placements": lambda: tw.direct(TILES).placements(0, 0, 4, 3),
     "long period": lambda: tw.LongPeriodHash(7),
     "distribution": lambda: tw.radial_distribution(tw.PointSet(np.random.default_rng(1).random((300, 2)))),
     "closest": lambda: tw.closest_dapple(np.zeros((3, 4), np.uint8), {"H0": 2}),
@@ -96,6 +99,7 @@ def test_lines_hold_what_matters():
         repr(SEEN["texture on an array"]()): ("map0 (uint8, 3 channels)", "rectangle 0 to 95 x 0 to 63"),
         repr(SEEN["torus"]()): ("16 corner tiles", "torus 3 x 5"),
         repr(point_tiles(2)): ("2 points each", "2 variants", "method given"),
+        repr(UNPICTURED["weighted variants"]()): ("32 of 16 tiles", "weighted"),
         repr(SEEN["point set"]()): ("300 points", "torus 1 x 1"),
         repr(UNPICTURED["mixer"]()): ("seed 9223372036854775813",),
         repr(UNPICTURED["exemplar"]()): ("64 x 40 pixels", "albedo (color)"),

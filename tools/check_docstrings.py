@@ -36,7 +36,9 @@ class Docstring(Validator):
         named = super().doc_all_parameters
         if is_dataclass(self.obj):
             own = {field.name for field in fields(self.obj)}
-            named |= {n: d for n, d in self._doc_parameters(["Attributes"]).items() if n in own}
+            attributes = {n: d for n, d in self._doc_parameters(["Attributes"]).items() if n in own}
+            # Parameters come first: numpydoc adds attributes by itself, without a word about them.
+            named = named | {name: told for name, told in attributes.items() if name not in named}
         return named
 
 

@@ -284,6 +284,9 @@ from .tiles import (
     TileSet as TileSet,
 )
 from .tiles import (
+    Variants as Variants,
+)
+from .tiles import (
     as_wang_tiles as as_wang_tiles,
 )
 from .tiles import (
@@ -405,6 +408,9 @@ from .tilings import (
 )
 from .tilings import (
     PermutationHash as PermutationHash,
+)
+from .tilings import (
+    Placements as Placements,
 )
 from .tilings import (
     Tiling as Tiling,

@@ -36,6 +36,7 @@ def paint_png(thing: Any) -> bytes | None:
     Parameters
     ----------
     thing : TileSet, Tiling, TextureTiles, PixelField, PointTiles, PointField, PointSet or PointWindow
+        What is to be seen; anything else has no picture.
 
     Returns
     -------

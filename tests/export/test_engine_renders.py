@@ -70,8 +70,15 @@ def test_open_shading_language_finds_the_tiles(in_blender, tmp_path):
             np.testing.assert_array_equal(answer[..., 1], places[1])
 
 
+def with_variants(colors, count):
+    tiles = tw.corner_tiles(colors)
+    return handmade(tiles, 16, variants=tw.Variants.uniform(tiles, count))
+
+
 def test_the_osl_shader_draws_the_pixels_of_the_field(in_blender, tmp_path):
-    made, origins = [handmade(tw.corner_tiles(colors), 16) for colors in (2, 5)], [(0, 0), (-300, 77)]
+    made = [handmade(tw.corner_tiles(colors), 16) for colors in (2, 5)]
+    made += [with_variants(2, 3), with_variants(3, 2), with_variants(4, 256)]
+    origins = [(0, 0), (-300, 77)]
     jobs = []
     for n, material in enumerate(made):
         folder = tmp_path / str(n)
@@ -85,7 +92,7 @@ def test_the_osl_shader_draws_the_pixels_of_the_field(in_blender, tmp_path):
 
 
 def test_blender_renders_the_pixels_of_the_field(in_blender, tmp_path):
-    made = [handmade(tw.corner_tiles(colors), 16) for colors in (2, 3, 6)]
+    made = [*(handmade(tw.corner_tiles(colors), 16) for colors in (2, 3, 6)), with_variants(2, 3)]
     jobs = []
     for n, material in enumerate(made):
         save_for_engine(material, tmp_path / str(n), "blender", seed=7)
@@ -110,9 +117,9 @@ needs_godot = pytest.mark.skipif(
 
 @needs_godot
 @pytest.mark.browser
-@pytest.mark.parametrize("colors", [1, 2, 6])
-def test_godot_renders_the_pixels_of_the_field(colors, browser, tmp_path):
-    material = handmade(tw.corner_tiles(colors), 16)
+@pytest.mark.parametrize(("colors", "variants"), [(1, 1), (2, 1), (6, 1), (2, 3), (4, 3)])
+def test_godot_renders_the_pixels_of_the_field(colors, variants, browser, tmp_path):
+    material = with_variants(colors, variants)
     save_for_engine(material, tmp_path / "godot", "godot", seed=7)
     drawn, errors = in_godot.draw(browser, tmp_path / "godot", 8, (-3, -5), 128)
     field = tw.TextureField(material, tw.direct(material.tiles, seed=7))

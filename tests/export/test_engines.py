@@ -8,6 +8,7 @@ import pytest
 import dialects
 import tilewright as tw
 from handmade import handmade
+from tilewright.errors import TilewrightError
 from tilewright.export.engines.folder import prepare
 from tilewright.export.engines.parts import fill
 from tilewright.shaders import lookup as lookups
@@ -75,6 +76,26 @@ def test_a_dialect_finds_the_tiles_and_their_places(dialect, colors, table, devi
     np.testing.assert_array_equal(got, places(colors, table[colors, seed]))
 
 
+@pytest.mark.parametrize("variants", [2, 3, 256])
+@pytest.mark.parametrize("dialect", ["wgsl", "glsl", "hlsl", "godot"])
+def test_a_dialect_draws_the_variants(dialect, variants, table, device, tmp_path):
+    for seed in SEEDS:
+        include = lookups.lookup(dialect, 3, seed, 16, 2, variants)
+        got = dialects.ask(device, dialect, include, CELLS, "variant", tmp_path)
+        np.testing.assert_array_equal(got, lookups.variant_table(variants, seed, *CELLS.T))
+    got = dialects.ask(device, dialect, include, CELLS, "tile", tmp_path)
+    np.testing.assert_array_equal(got, table[3, seed])
+
+
+def test_the_table_of_variants_is_what_the_tiling_says():
+    tiles = tw.corner_tiles(3)
+    tiling, variants = tw.direct(tiles, SEEDS[1]), tw.Variants.uniform(tiles, 5)
+    wanted = lookups.variant_table(5, SEEDS[1], *CELLS.T)
+    for (x, y), variant in list(zip(CELLS.tolist(), wanted, strict=True))[::20]:
+        assert tiling.placements(x - 1, y - 1, 3, 3, variants=variants).variants[1, 1] == variant
+    assert len(np.unique(wanted)) == 5
+
+
 DRAWN = ("wgsl", "glsl", "hlsl", "unity")
 # Dialect, colors, and whether as an atlas; Unreal gets atlases only.
 ARRAYS = [(dialect, colors, False) for dialect in DRAWN for colors in (1, 3, 4)]
@@ -92,6 +113,50 @@ def test_a_dialect_draws_the_pixels_of_the_field(dialect, colors, atlas, device,
             device, dialect, include_of(dialect, kit), levels, 16, texel, (128, 96), tmp_path, atlas=atlas
         )
         np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 128, 96))
+
+
+# As array and as atlas; 3 colors in 4 variants are more layers than all devices have.
+SEVERAL = [(d, c, v, False) for d in DRAWN for c, v in ((2, 3), (3, 2))]
+SEVERAL += [(d, c, v, True) for d in (*DRAWN, "unreal") for c, v in ((2, 3), (3, 4), (4, 2))]
+
+
+@pytest.mark.parametrize(("dialect", "colors", "variants", "atlas"), SEVERAL)
+def test_a_dialect_draws_the_pixels_of_variants(dialect, colors, variants, atlas, device, tmp_path):
+    tiles = tw.corner_tiles(colors)
+    material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, variants))
+    kit = prepare(material, 9, atlas=atlas)
+    assert kit.form == ("atlas" if atlas else "array")
+    levels, _ = kit.levels("map0")
+    field = tw.TextureField(material, tw.direct(material.tiles, seed=9))
+    for texel in ((-70, -37), (16 * 1000 + 3, -16 * 900000)):
+        drawn = dialects.draw(
+            device, dialect, include_of(dialect, kit), levels, 16, texel, (128, 96), tmp_path, atlas=atlas
+        )
+        np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 128, 96))
+
+
+def test_variants_that_no_shader_draws_are_refused(tmp_path):
+    tiles = tw.corner_tiles(2)
+    weighted = handmade(tiles, variants=tw.Variants.weighted([[1, 2]] * 16))
+    many = handmade(tw.corner_tiles(1), variants=tw.Variants.uniform(tw.corner_tiles(1), 257))
+    for material in (weighted, many):
+        with pytest.raises(TilewrightError, match="every tile needs as many, drawn alike, 1 to 256"):
+            tw.save_for_engine(material, tmp_path / "out", "godot")
+        with pytest.raises(TilewrightError, match="every tile needs as many"):
+            tw.make_atlas(material)
+
+
+def test_atlases_of_variants_lie_side_by_side():
+    tiles = tw.corner_tiles(2)
+    material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, 3))
+    pixels, packed = tw.make_atlas(material)
+    assert pixels.shape == (64, 192, 3)
+    for tile in range(16):
+        for variant in range(3):
+            x, y = packed.place(tile)
+            x += variant * packed.size[0]
+            there = pixels[16 * y : 16 * y + 16, 16 * x : 16 * x + 16]
+            np.testing.assert_array_equal(there, material.pixels[3 * tile + variant])
 
 
 @pytest.fixture(scope="module")

@@ -89,6 +89,34 @@ def test_at_one_texel_per_pixel_the_page_shows_what_python_renders(open_page, na
         assert np.array_equal(shown, field.render(*origin(state, 16), shown.shape[1], shown.shape[0]))
 
 
+@pytest.mark.parametrize("name", ["corner", "wang", "coded", "cohen"])
+@pytest.mark.parametrize("weighted", [False, True])
+def test_the_page_draws_the_variants_that_python_draws(open_page, name, weighted):
+    tiles = SETS.get(name) or tw.cohen_tiles(18)
+    variants = tw.Variants.uniform(tiles, 3)
+    if weighted:
+        variants = tw.Variants.weighted([([1], [0, 2.5, 1], [3, 1])[t % 3] for t in range(len(tiles))])
+    material = handmade(tiles, 16, variants=variants)
+    page = open_page(material, seed=7)
+    places = ((7, -3, 5), (2**64 - 1, 2**40, -(2**40)), (123, 2**32, -1))
+    if name == "cohen":  # a stored patch, which stays with its seed
+        places = ((7, 20, 30), (7, 200, 180))
+    for seed, x, y in places:
+        tiling = tw.stochastic(tiles, 256, 256, seed)
+        state = view(page, seed=str(seed), cellX=str(x), cellY=str(y), pixelsPerTile=16)
+        shown = read(page)
+        field = tw.TextureField(material, tiling)
+        assert np.array_equal(shown, field.render(*origin(state, 16), shown.shape[1], shown.shape[0]))
+        placed = tiling.placements(x, y, 9, 4, variants=variants)
+        told = page.evaluate(
+            "([x, y]) => [...Array(36).keys()].map((n) => {"
+            "  const at = [BigInt(x) + BigInt(n % 9), BigInt(y) + BigInt(Math.floor(n / 9))];"
+            "  return [tilewright.tileAt(...at), tilewright.variantAt(...at)]; })",
+            [str(x), str(y)],
+        )
+        assert told == np.stack([placed.indices.ravel(), placed.variants.ravel()], axis=1).tolist()
+
+
 def test_a_set_without_a_direct_tiling_is_shown_as_a_patch(open_page):
     material = handmade(tw.cohen_tiles(18), 16)
     page = open_page(material, seed=3)

@@ -35,12 +35,29 @@ def test_points_are_those_of_the_tiles(name):
     field = field_of(name)
     x, y, width, height = -5, 3, 9, 7
     rows = field.rows_at(x, y, width, height)
+    variants = field.tiles.variants.even
     by_hand = [
-        field.tiles.tile(*divmod(int(rows[i, j]), field.tiles.variants)).astype(float) + (x + j, y + i)  # noqa: RUF005
+        field.tiles.tile(*divmod(int(rows[i, j]), variants)).astype(float) + (x + j, y + i)  # noqa: RUF005
         for i in range(height)
         for j in range(width)
     ]
     np.testing.assert_array_equal(field.points(x, y, width, height), np.concatenate(by_hand))
+
+
+@pytest.mark.parametrize("hash", ["mixer", "permutation"])
+def test_variants_are_drawn_as_ever(hash):
+    """As when every tile had the same number of variants: stream 6 of the tiling's hash, or of seed 0's."""
+    field_of("template")
+    tiles = _MADE["template"]
+    x, y = np.arange(-3, 9), np.arange(4, 14)[:, np.newaxis]
+    direct = tw.direct(tiles.tiles, 11, hash=hash, period=(5, None))
+    stored = tw.array_tiling(tiles.tiles, np.zeros((10, 12), int), torus=True)
+    for tiling, drawn_by, columns, lines in (
+        (direct, direct.hash, x % 5, y),
+        (stored, tw.MixerHash(0), x % 12, y % 10),
+    ):
+        expected = drawn_by.numbers(6, columns, lines) * 9 >> 24
+        np.testing.assert_array_equal(tw.PointField(tiles, tiling).rows_at(-3, 4, 12, 10), expected)
 
 
 @settings(max_examples=40, deadline=None)
@@ -146,9 +163,7 @@ def test_more_points_include_fewer():
 
 @pytest.mark.parametrize("local", [False, True])
 def test_blocks_hold_what_the_window_holds(local, monkeypatch):
-    from tilewright.fields.points import field as point_field
-
-    monkeypatch.setattr(point_field, "_BLOCK_POINTS", 700)
+    monkeypatch.setattr(tw.PointField, "_block_points", 700)
     field = field_of("corner")
 
     def share(x, y):
@@ -286,9 +301,7 @@ def test_points_and_tiling_must_be_of_one_set():
     ],
 )
 def test_blocks_miss_nothing_far_out_and_in_small_numbers(window, local, monkeypatch):
-    from tilewright.fields.points import field as point_field
-
-    monkeypatch.setattr(point_field, "_BLOCK_POINTS", 500)
+    monkeypatch.setattr(tw.PointField, "_block_points", 500)
     field = field_of("corner")
     pieces = np.concatenate(list(field.blocks(*window, local=local)))
     whole = field.points(*window, local=local)

@@ -95,6 +95,27 @@ def test_point_tiles_come_back(tmp_path):
         run_load_texture(tmp_path / "set")
 
 
+def test_variants_are_stored(tmp_path):
+    tiles, rng = tw.wang_tiles(1, 2), np.random.default_rng(1)
+
+    def made(variants):
+        return tw.PointTiles.of(tiles, [rng.random((3, 2)) for _ in range(len(variants))], variants=variants)
+
+    weighted = tw.Variants.weighted([[1], [0, 2.5, 1], [3, 0], [1, 1]])
+    for name, variants, schema, stored in (
+        ("even", tw.Variants.uniform(tiles, 2), 2, 2),
+        ("weighted", weighted, 3, [[2**24], [0, 11983726, 4793490], [2**24, 0], [2**23, 2**23]]),
+    ):
+        tw.save(made(variants), tmp_path / name)
+        manifest = json.loads((tmp_path / name / "tileset.json").read_text())
+        assert (manifest["schema"], manifest["variants"]) == (schema, stored)
+        assert tw.load(tmp_path / name).variants == variants
+    manifest["variants"][3] = [2**23, 5]
+    (tmp_path / name / "tileset.json").write_text(json.dumps(manifest))
+    with pytest.raises(TilewrightFileError, match="tile 3 do not add up"):
+        tw.load(tmp_path / name)
+
+
 def run_load_texture(folder):
     from tilewright.files import load_texture
 
@@ -155,7 +176,7 @@ def test_tables_written_by_numpy_are_read(tmp_path, text):
 
 def test_what_is_saved_can_be_loaded(tmp_path):
     rows = [np.array([[0.1, 0.2], [0.6, 0.7]])] * 16
-    tiles = tw.PointTiles.of(tw.corner_tiles(2), rows, distance=np.float32(0.25), variants=np.int32(1))
+    tiles = tw.PointTiles.of(tw.corner_tiles(2), rows, distance=np.float32(0.25))
     again = tw.PointTiles(
         tiles.tiles, tiles.points.astype(float), tiles.starts.astype(np.uint64), tiles.ranks.astype(float)
     )
@@ -174,6 +195,8 @@ def test_what_is_saved_can_be_loaded(tmp_path):
         {"distance": -1.0},
         {"variants": True},
         {"variants": 2},
+        {"variants": tw.Variants.uniform(tw.corner_tiles(2), 2)},
+        {"variants": tw.Variants.uniform(tw.corner_tiles(1), 16)},
         {"starts": np.arange(17) * 2.0},
         {"method": 3},
         {"recipe": None},

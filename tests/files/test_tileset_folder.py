@@ -113,7 +113,7 @@ def harm():
         "another size": (lambda f: edit(f, lambda m: m.update(tile_size=8)), "expected"),
         "fewer tiles": (
             lambda f: edit(f, lambda m: m["maps"]["map0"].pop()),
-            "lists 15 tiles; the set has 16",
+            "lists 15 pictures; the set has 16",
         ),
         "bad colors": (
             lambda f: edit(f, lambda m: m["tiles"].update(colors=[1, 1, 1, 1])),

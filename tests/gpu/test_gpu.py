@@ -8,6 +8,7 @@ import pytest
 import tilewright as tw
 from drawing import drawn
 from handmade import handmade
+from tilewright.errors import TilewrightError
 from tilewright.gpu import (
     GpuField,
     GpuPicture,
@@ -39,15 +40,19 @@ def weis_picture(material, tiling, x, y, width, height):
     """What Wei's method shows: near a tile's corner, the tile of the corner atlas with the same two edges."""
     size, reach = material.tile_size, shared_border(material.tile_size)
     columns, rows = width // size + 2, height // size + 2
-    slots = tiling.tiles.slots[tiling.indices(x // size, y // size, columns, rows)]
+    variants = material.variants
+    placed = tiling.rows(x // size, y // size, columns, rows, variants=variants)
+    slots = tiling.tiles.slots[variants.tiles[placed]]
     place = np.arange(size)
     ends = (place < reach, place >= size - reach)
-    cells = np.broadcast_to(tiling.tiles.find(slots)[..., None, None], (rows, columns, size, size)).copy()
+    cells = np.broadcast_to(placed[..., None, None], (rows, columns, size, size)).copy()
     for across, near_row in zip((0, 2), ends, strict=True):  # N, S
         for along, near_column in zip((3, 1), ends, strict=True):  # W, E
             v, h = slots[..., across], slots[..., along]
             there = near_row[:, None] & near_column
-            cells[:, :, there] = tiling.tiles.find(np.stack([v, h, v, h], axis=-1))[..., None]
+            cells[:, :, there] = variants.starts[tiling.tiles.find(np.stack([v, h, v, h], axis=-1))][
+                ..., None
+            ]
     pixels = material.pixels[cells, place[:, None], place].swapaxes(1, 2)
     pixels = pixels.reshape(rows * size, columns * size, -1)
     return pixels[y % size : y % size + height, x % size : x % size + width]
@@ -67,6 +72,35 @@ def test_a_texel_per_pixel_is_the_rendered_field(tiles, layout, hash):
         else:  # handmade tiles are noise, of which Wei's method shows other pixels near corners
             wanted = weis_picture(material, tiling, x, y, 150, 110)
         np.testing.assert_array_equal(picture, wanted, err_msg=f"{x}, {y}")
+
+
+@drawn
+@pytest.mark.parametrize("count", [2, 3])
+@pytest.mark.parametrize(("tiles", "layout"), CORNER_SETS + WANG_SETS, ids=lambda v: getattr(v, "colors", v))
+def test_variants_are_those_of_the_rendered_field(tiles, layout, count):
+    material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, count))
+    tiling = tw.direct(tiles, 2**40 + 7)
+    if layout == "array" and len(tiles) * count > open_gpu().most_layers:
+        layout = "atlas"
+    field = GpuField(material, tiling, layout=layout)
+    for x, y in WINDOWS:
+        picture = field.render(OrthographicCamera(x, y, 150, 110))
+        if tiles.shape.name == "corner":
+            wanted = tw.TextureField(material, tiling).render(x, y, 150, 110)
+        else:
+            wanted = weis_picture(material, tiling, x, y, 150, 110)
+        np.testing.assert_array_equal(picture, wanted, err_msg=f"{x}, {y}")
+
+
+@drawn
+def test_variants_that_no_shader_draws_are_refused():
+    tiles = tw.corner_tiles(2)
+    weighted = handmade(tiles, variants=tw.Variants.weighted([[1, 2]] * 16))
+    with pytest.raises(TilewrightError, match="every tile needs as many, drawn alike"):
+        GpuField(weighted, tw.direct(tiles))
+    even = handmade(tiles, variants=tw.Variants.uniform(tiles, 2))
+    with pytest.raises(TilewrightError, match="variants are drawn by the mixer"):
+        GpuField(even, tw.direct(tiles, hash="permutation"))
 
 
 @drawn

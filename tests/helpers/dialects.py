@@ -24,7 +24,8 @@ _ASK = {
 @group(0) @binding(0) var<storage, read> cells: array<vec2i>;
 %s
 @fragment fn main(@builtin(position) at: vec4f) -> @location(0) u32 {
-  let c = tw_corners(cells[u32(at.y) * 64u + u32(at.x)]);
+  let cell = cells[u32(at.y) * 64u + u32(at.x)];
+  let c = tw_corners(cell);
   return %s;
 }""",
     "glsl": """#version 450
@@ -32,14 +33,16 @@ layout(std430, set = 0, binding = 0) readonly buffer Cells { ivec2 cells[]; };
 layout(location = 0) out uint answer;
 %s
 void main() {
-  uvec4 c = twCorners(cells[uint(gl_FragCoord.y) * 64u + uint(gl_FragCoord.x)]);
+  ivec2 cell = cells[uint(gl_FragCoord.y) * 64u + uint(gl_FragCoord.x)];
+  uvec4 c = twCorners(cell);
   answer = %s;
 }""",
     "hlsl": """
 [[vk::binding(0, 0)]] StructuredBuffer<int2> cells;
 %s
 uint main(float4 at : SV_Position) : SV_Target {
-  uint4 c = TwCorners(cells[(uint)at.y * 64u + (uint)at.x]);
+  int2 cell = cells[(uint)at.y * 64u + (uint)at.x];
+  uint4 c = TwCorners(cell);
   return %s;
 }""",
 }
@@ -51,6 +54,12 @@ _PLACE = {
     "glsl": "twPlace(c).y * 256u + twPlace(c).x",
     "hlsl": "TwPlaceOf(c).y * 256u + TwPlaceOf(c).x",
     "godot": "tw_place(c).y * 256u + tw_place(c).x",
+}
+_VARIANT = {
+    "wgsl": "tw_variant(cell)",
+    "glsl": "twVariant(cell)",
+    "hlsl": "TwVariant(cell)",
+    "godot": "tw_variant(cell)",
 }
 
 # A pixel's position in tiles is (texel + pixels * step) / size, counted from the cell that texel is in.
@@ -171,10 +180,10 @@ def compiled(dialect, source, tmp_path):
 
 
 def ask(device, dialect, include, cells, what, tmp_path):
-    """What an include says of cells (N, 2): the number of the tile, or row * 256 + column in the atlas."""
+    """What an include says of cells (N, 2): tile, variant, or row * 256 + column in the atlas."""
     import wgpu
 
-    words = {"tile": _TILE, "place": _PLACE}[what][dialect]
+    words = {"tile": _TILE, "place": _PLACE, "variant": _VARIANT}[what][dialect]
     source = compiled(dialect, _ASK[dialect] % (include, words), tmp_path)
     rows = -(-len(cells) // _WIDTH)
     padded = np.zeros((rows * _WIDTH, 2), np.int32)

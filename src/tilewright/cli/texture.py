@@ -78,6 +78,9 @@ def command(
         Path | None,
         option(help="Second photograph, shown by the upper half of the corner colors; default none."),
     ] = None,
+    variants: Annotated[
+        int, option(help="Number of pictures of every tile, 1 to 64; default 1. More show less repetition.")
+    ] = 1,
     from_: Annotated[
         Path | None,
         option("--from", help="Tile-set folder to make again, with --reject or --pick; default none."),

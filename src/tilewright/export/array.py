@@ -1,4 +1,4 @@
-"""A texture array: one layer per tile."""
+"""A texture array: one layer per tile and variant."""
 
 import numpy as np
 
@@ -9,9 +9,10 @@ from tilewright.signals.textures import TextureTiles
 
 
 def save_array(material: TextureTiles, path: AnyPath, *, map: str | None = None) -> None:
-    """Write the tiles of a map as layers, one below the other, in order of tile index.
+    """Write the pictures of a map as layers, one below the other, in order of tile index.
 
-    Engines import such a strip as a 2D texture array of ``len(tiles)`` layers of tile_size x tile_size.
+    Engines import such a strip as a 2D texture array of layers of tile_size x tile_size, one for each tile,
+    or for each variant of each tile one after another.
     A layer knows nothing of its neighbors: filter it with clamped coordinates, and take gradients from the
     coordinate before it is split into cell and place.
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from tilewright.checks import check_choice
 from tilewright.files.atomic import AnyPath
 from tilewright.files.images import write_image
+from tilewright.shaders.layouts import packed_rows
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Packing, packing
 
@@ -28,14 +29,16 @@ def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArr
     Returns
     -------
     pixels : array, shape (rows * tile_size, columns * tile_size, channels)
-        The picture, of the map's type.
+        The picture, of the map's type. Where tiles have variants, a packing for each, from west to east.
     packed : Packing
-        ``packed.place(tile)`` is the column and row of a tile.
+        ``packed.place(tile)`` is the column and row of a tile; its variant v lies v times
+        ``packed.size[0]`` columns further east.
 
     Raises
     ------
     TilewrightValueError
-        The set is not complete, so it has no packing, or there is no such map.
+        The set is not complete, so it has no packing, its tiles have not as many variants each, drawn alike,
+        or there is no such map.
 
     Examples
     --------
@@ -48,12 +51,10 @@ def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArr
     ((64, 64, 3), (4, 4))
     """
     name = material.main if map is None else check_choice("map", map, tuple(material.maps))
-    packed = packing(material.tiles)
-    columns, rows = packed.size
-    cells = packed.indices(0, 0, columns, rows)
-    n = material.tile_size
+    cells, n = packed_rows(material), material.tile_size
+    rows, columns = cells.shape
     picture = material.maps[name][cells].swapaxes(1, 2)
-    return np.ascontiguousarray(picture.reshape(rows * n, columns * n, -1)), packed
+    return np.ascontiguousarray(picture.reshape(rows * n, columns * n, -1)), packing(material.tiles)
 
 
 def save_atlas(material: TextureTiles, path: AnyPath, *, map: str | None = None) -> None:

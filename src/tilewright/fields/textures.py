@@ -19,14 +19,14 @@ class TextureField(PixelField):
     Parameters
     ----------
     material : TextureTiles
-        The picture of each tile.
+        The pictures of each tile.
     tiling : Tiling
         A tiling of the same tile set.
 
     Attributes
     ----------
     material : TextureTiles
-        The picture of each tile.
+        The pictures of each tile.
     tiling : Tiling
         Which tile goes where.
 
@@ -40,7 +40,8 @@ class TextureField(PixelField):
     Notes
     -----
     Pixel (0, 0) is the north-west pixel of cell (0, 0); x grows east and y grows south. Cells reach
-    to +-2^61, so pixel coordinates are Python integers of any size up to that many tiles.
+    to +-2^61, so pixel coordinates are Python integers of any size up to that many tiles. Variants of tiles
+    are drawn as `Tiling.placements` tells.
 
     Examples
     --------
@@ -81,13 +82,13 @@ class TextureField(PixelField):
         size = self.material.tile_size
         column, left, columns = _cells(window.x, window.width, size)
         row, top, rows = _cells(window.y, window.height, size)
-        indices = self.tiling.indices(column, row, columns, rows)
+        pictures = self.tiling.rows(column, row, columns, rows, variants=self.material.variants)
         for map, out in outs.items():
             tiles = self.material.maps[map]
             pixel = tiles.shape[3] * tiles.itemsize
             copy_tiles(
                 np.ascontiguousarray(tiles).view(np.uint8).reshape(len(tiles), size, size * pixel),
-                indices,
+                pictures,
                 top,
                 left,
                 size,

@@ -16,8 +16,10 @@ from tilewright.errors import TilewrightFileError
 from tilewright.files.atomic import MANIFEST
 from tilewright.tiles import ListedTileSet, TileSet, tile_set
 from tilewright.tiles.shape import Shape
+from tilewright.tiles.variants import NUMBER_BITS, Variants, check_variants
 
-SCHEMA = 2
+SCHEMA, NEWEST_SCHEMA = 2, 3
+"""What is written; and where variants ask for it, of a texture any, of points those with weights."""
 _DROPPED_BY_SYSTEMS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 
@@ -49,6 +51,24 @@ class Tiles(msgspec.Struct, forbid_unknown_fields=True):
         return ListedTileSet(shape, np.array(self.slots), tuple(self.colors), self.name)
 
 
+StoredVariants = int | list[list[int]]
+"""Variants of every tile, all drawn alike; or for each tile the shares of its variants, in 2^24ths."""
+
+
+def store_variants(variants: Variants) -> StoredVariants:
+    """Variants as a manifest has them."""
+    return variants.even or [row.tolist() for row in np.split(variants.shares, variants.starts[1:-1])]
+
+
+def restore_variants(stored: StoredVariants, tiles: TileSet) -> Variants:
+    """The variants that a manifest tells."""
+    if isinstance(stored, int):
+        return Variants.uniform(tiles, stored)
+    if wrong := [t for t, row in enumerate(stored) if sum(row) != 2**NUMBER_BITS]:
+        raise TilewrightFileError(f"the shares of the variants of tile {wrong[0]} do not add up to 2^24")
+    return check_variants(Variants.weighted(stored), tiles)
+
+
 class Head(msgspec.Struct):
     """What is looked at before the rest, so that a newer file is told from a broken one."""
 
@@ -66,13 +86,16 @@ def read_head(path: Path) -> Head:
         head = msgspec.json.decode(_read_text(path), type=Head)
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
         raise TilewrightFileError(f"{path} is damaged: {error}", value=path) from None
-    if head.schema > SCHEMA:
+    if head.schema > NEWEST_SCHEMA:
         raise TilewrightFileError(
-            f"{path} has schema {head.schema}; this version of tilewright reads up to {SCHEMA}: update it",
+            f"{path} has schema {head.schema}; this version of tilewright reads up to {NEWEST_SCHEMA}: "
+            "update it",
             value=path,
         )
     if head.schema < 1:
-        raise TilewrightFileError(f"{path} has schema {head.schema}; expected 1 to {SCHEMA}", value=path)
+        raise TilewrightFileError(
+            f"{path} has schema {head.schema}; expected 1 to {NEWEST_SCHEMA}", value=path
+        )
     return head
 
 

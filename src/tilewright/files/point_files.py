@@ -156,7 +156,7 @@ def read_points(path: AnyPath, box: Box | None = None) -> PointSet:
         table, noted = _READERS[source.suffix.lower()](source)
         points = as_points(_two_columns(table))
         if not len(points):
-            raise TilewrightValueError("no points")
+            raise TilewrightFileError("no points")
         if box is None and noted is None:
             points, box = _put_in_box(points)
         found = box or noted or Box()

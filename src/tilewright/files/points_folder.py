@@ -9,7 +9,16 @@ import numpy as np
 
 from tilewright import __version__
 from tilewright.errors import TilewrightFileError
-from tilewright.files.manifest import SCHEMA, Reader, Tiles, Writer
+from tilewright.files.manifest import (
+    NEWEST_SCHEMA,
+    SCHEMA,
+    Reader,
+    StoredVariants,
+    Tiles,
+    Writer,
+    restore_variants,
+    store_variants,
+)
 from tilewright.signals.points import PointTiles
 
 _ARRAYS = {"points": np.float32, "starts": np.int64, "ranks": np.float32}
@@ -22,7 +31,7 @@ class PointManifest(msgspec.Struct, forbid_unknown_fields=True):
     program: str
     signal: str
     tiles: Tiles
-    variants: int
+    variants: StoredVariants
     distance: float
     method: str
     points: str
@@ -39,11 +48,11 @@ def write_point_tiles(folder: Path, tiles: PointTiles) -> None:
     writer.seal(name)
     writer.finish(
         PointManifest(
-            SCHEMA,
+            SCHEMA if tiles.variants.even else NEWEST_SCHEMA,
             f"tilewright {__version__}",
             "points",
             Tiles.of(tiles.tiles),
-            tiles.variants,
+            store_variants(tiles.variants),
             tiles.distance,
             tiles.method,
             name,
@@ -69,12 +78,13 @@ def read_point_tiles(folder: Path, manifest: PointManifest) -> PointTiles:
             raise TilewrightFileError(
                 f"{path}: {name} is {arrays[name].dtype}; expected {np.dtype(kind)}", value=path
             )
+    tiles = manifest.tiles.make()
     return PointTiles(
-        manifest.tiles.make(),
+        tiles,
         arrays["points"],
         arrays["starts"],
         arrays["ranks"],
-        manifest.variants,
+        restore_variants(manifest.variants, tiles),
         manifest.distance,
         manifest.method,
         manifest.recipe,

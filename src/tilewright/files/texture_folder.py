@@ -11,12 +11,22 @@ from tilewright import __version__
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightFileError
 from tilewright.files.images import lossless_suffix, read_image, write_image
-from tilewright.files.manifest import SCHEMA, Reader, Tiles, Writer
+from tilewright.files.manifest import (
+    NEWEST_SCHEMA,
+    SCHEMA,
+    Reader,
+    StoredVariants,
+    Tiles,
+    Writer,
+    restore_variants,
+    store_variants,
+)
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import KINDS
+from tilewright.tiles.variants import Variants
 
 
-class TextureManifest(msgspec.Struct, forbid_unknown_fields=True):
+class TextureManifest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     """What ``tileset.json`` of a texture holds."""
 
     schema: int
@@ -32,6 +42,8 @@ class TextureManifest(msgspec.Struct, forbid_unknown_fields=True):
     checksums: dict[str, str]
     kinds: dict[str, str] = {}
     """What each map holds; not there in schema 1."""
+    variants: StoredVariants = 1
+    """Pictures of each tile; not there before schema 3, nor where there is one."""
 
 
 def write_texture(folder: Path, material: TextureTiles) -> None:
@@ -43,16 +55,17 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
         write_image(target, pixels)
         return writer.seal(name)
 
-    count = len(material.tiles)
-    digits = len(str(count - 1))
+    stems = _stems(material.variants)
     maps = {
         name: [
-            image(f"{_safe(name)}/{t:0{digits}d}{lossless_suffix(pixels.dtype)}", pixels[t])
-            for t in range(count)
+            image(f"{_safe(name)}/{stem}{lossless_suffix(pixels.dtype)}", picture)
+            for stem, picture in zip(stems, pixels, strict=True)
         ]
         for name, pixels in material.maps.items()
     }
-    origins = [image(f"origins/{t:0{digits}d}.png", material.origins[t]) for t in range(count)]
+    origins = [
+        image(f"origins/{stem}.png", spots) for stem, spots in zip(stems, material.origins, strict=True)
+    ]
     sources = [
         {
             name: image(f"exemplar/{s}-{_safe(name)}{lossless_suffix(pixels.dtype)}", pixels)
@@ -66,7 +79,7 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
     ]
     writer.finish(
         TextureManifest(
-            SCHEMA,
+            SCHEMA if len(material.variants) == len(material.tiles) else NEWEST_SCHEMA,
             f"tilewright {__version__}",
             "texture",
             material.tile_size,
@@ -78,8 +91,19 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
             material.recipe,
             writer.checksums,
             material.kinds,
+            store_variants(material.variants),
         )
     )
+
+
+def _stems(variants: Variants) -> list[str]:
+    """Names of the pictures: ``05`` of a tile's first, ``05-1`` of its second."""
+    digits = len(str(len(variants.counts) - 1))
+    return [
+        f"{tile:0{digits}d}" + (f"-{variant}" if variant else "")
+        for tile, count in enumerate(variants.counts)
+        for variant in range(count)
+    ]
 
 
 def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
@@ -90,7 +114,8 @@ def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
         return read_image(reader.path(name))
 
     tiles = manifest.tiles.make()
-    size, count = manifest.tile_size, len(tiles)
+    variants = restore_variants(manifest.variants, tiles)
+    size, count = manifest.tile_size, len(variants)
     maps = {n: _stack(n, [image(f) for f in files], count, size) for n, files in manifest.maps.items()}
     origins = _stack("origins", [image(f) for f in manifest.origins], count, size)
     sources = tuple({n: image(f) for n, f in source.items()} for source in manifest.sources)
@@ -98,16 +123,16 @@ def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
     _check_sources(sources, masks, maps)
     _check_origins(origins, sources)
     kinds = {n: check_choice(f"kind of map {n!r}", k, KINDS) for n, k in manifest.kinds.items() if n in maps}
-    return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks, kinds)
+    return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks, kinds, variants)
 
 
 def _stack(name: str, pictures: list[NDArray[Any]], count: int, size: int) -> NDArray[Any]:
     if len(pictures) != count:
-        raise TilewrightFileError(f"{name} lists {len(pictures)} tiles; the set has {count}")
+        raise TilewrightFileError(f"{name} lists {len(pictures)} pictures; the set has {count}")
     for t, picture in enumerate(pictures):
         if picture.shape != (size, size, pictures[0].shape[2]) or picture.dtype != pictures[0].dtype:
             raise TilewrightFileError(
-                f"tile {t} of {name} is {picture.dtype} {picture.shape}; expected {pictures[0].dtype} "
+                f"picture {t} of {name} is {picture.dtype} {picture.shape}; expected {pictures[0].dtype} "
                 f"{(size, size, pictures[0].shape[2])}"
             )
     return np.stack(pictures)
@@ -145,7 +170,7 @@ def _check_origins(origins: NDArray[Any], sources: tuple[dict[str, NDArray[Any]]
     for t, spots in enumerate(origins):
         number = spots[..., 0]
         if number.max() >= len(sources) or (spots[..., 1:] >= sizes[number]).any():
-            raise TilewrightFileError(f"tile {t} of origins names a pixel outside its source")
+            raise TilewrightFileError(f"picture {t} of origins names a pixel outside its source")
 
 
 def _safe(name: str) -> str:

@@ -11,12 +11,13 @@ from tilewright.gpu.device import open_gpu
 from tilewright.gpu.painter import Painter
 from tilewright.gpu.pixels import PixelFormat
 from tilewright.shaders.hashing import shader_hash, view_bytes
-from tilewright.shaders.layouts import check_set, make_layout
+from tilewright.shaders.layouts import check_set, even_variants, make_layout
 from tilewright.shaders.mipmaps import Mipmaps
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Tiling
 from tilewright.tilings.algorithms import CORNERS, EDGES
 from tilewright.tilings.direct_tiling import DirectTiling
+from tilewright.tilings.streams import VARIANTS
 
 
 class GpuField:
@@ -25,12 +26,13 @@ class GpuField:
     Parameters
     ----------
     material : TextureTiles
-        Over a complete set of corner tiles, or of Wang tiles (Wei 2004).
+        Over a complete set of corner tiles, or of Wang tiles (Wei 2004), with as many variants of every tile,
+        drawn alike: layers one after another, or packings side by side.
     tiling : Tiling
         ``direct(material.tiles, seed)``, with the mixer or a permutation table as its hash.
     layout : str, optional
         ``"array"``: a layer for each tile, with gutters; ``"atlas"``: all tiles packed into one picture, for
-        Wang tiles with Wei's second picture for what is near corners. By default an array up to 256 tiles.
+        Wang tiles with Wei's second picture for what is near corners. By default an array up to 256 pictures.
     map : str, optional
         Which map; the main one by default.
 
@@ -44,7 +46,7 @@ class GpuField:
     GpuError
         There is no GPU or no wgpu, the shader is refused, or the textures are too large.
     TilewrightValueError
-        A set or a tiling that has no shader.
+        A set, variants or a tiling that have no shader.
 
     Notes
     -----
@@ -58,7 +60,7 @@ class GpuField:
     ) -> None:
         check_agreement(material, TextureTiles, tiling)
         check_set(material.tiles)
-        hash = shader_hash(check_tiling(tiling).hash, material.tiles.colors)
+        hash = shader_hash(check_tiling(tiling).hash, material.tiles.colors, even_variants(material))
         lookup = make_layout(material, layout, map)
         name = material.main if map is None else map
         pixels = PixelFormat.of(material.maps[name], material.kinds[name])
@@ -91,7 +93,8 @@ class GpuField:
 
     def _view(self, sight: Sight) -> bytes:
         states, origin = self._hash.place(*(self._density * cell for cell in sight.cell))
-        return view_bytes(sight.rows, states, origin)
+        draws, cell = self._hash.place(*sight.cell, stream=VARIANTS)
+        return view_bytes(sight.rows, states, origin, draws, cell)
 
 
 def check_tiling(tiling: Tiling) -> DirectTiling:

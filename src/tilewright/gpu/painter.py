@@ -12,12 +12,11 @@ from tilewright.gpu.cameras import Camera, Sight
 from tilewright.gpu.device import Gpu
 from tilewright.gpu.pixels import PixelFormat
 from tilewright.shaders.assembly import VERTEX, assemble, read_part
-from tilewright.shaders.hashing import ShaderHash
+from tilewright.shaders.hashing import VIEW_BYTES, ShaderHash
 from tilewright.shaders.layouts import Layout
 
 BLOCK = 1024
 """Side of the blocks that a picture is drawn in: their coordinates are exact enough in 32-bit floats."""
-_VIEW_BYTES = 96
 
 
 class Painter:
@@ -33,7 +32,7 @@ class Painter:
         self._gpu, self._pixels = gpu, pixels
         fragment = assemble(hash, layout.parts, read_part("field.frag"), layout.defines)
         self._program = gpu.program(read_part(VERTEX), fragment, pixels.target)
-        self._view = gpu.buffer(bytes(_VIEW_BYTES), uniform=True)
+        self._view = gpu.buffer(bytes(VIEW_BYTES), uniform=True)
         resources: dict[int, Any] = {0: self._view}
         tables = np.concatenate([*([hash.table()] if hash else []), layout.places])
         if len(tables):

@@ -159,7 +159,7 @@ def add_maps(
     meaning = _Meaning(kinds, normal, flatten)
     prepared, settled = _prepare([photo] if second is None else [photo, second], meaning, sizes)
     new = Exemplar(prepared, None, None, settled)
-    maps = copy_maps(new.sources, material.origins, new.kinds, material.tiles)
+    maps = copy_maps(new.sources, material.origins, new.kinds, material.tiles, material.variants)
     recipe = dict(material.recipe)
     if isinstance(recipe.get("weights"), dict):
         recipe["weights"] = dict.fromkeys(new.kinds, 0.0) | recipe["weights"]
@@ -299,12 +299,12 @@ def texture_tiles(
     seed : int, optional
         The same seed gives the same bytes; 0 to 2^64 - 1, default 0.
     **options : str, dict, int or callable
-        ``method``, ``pick``, ``reject``, ``threads`` and ``progress``, as in `synthesize`.
+        ``method``, ``variants``, ``pick``, ``reject``, ``threads`` and ``progress``, as in `synthesize`.
 
     Returns
     -------
     TextureTiles
-        A picture for each tile of the set, and where each of its pixels was copied from.
+        Pictures for each tile of the set, and where each of their pixels was copied from.
 
     Raises
     ------

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from tilewright.tiles import TileSet
 
 _KINDS = ("corner", "wang", "cohen-8", "cohen-12", "cohen-18", "corner-coded")
-_SETTINGS = ("tiles", "colors", "tile_size", "weight", "mask", "method", "seed", "photo")
+_SETTINGS = ("tiles", "colors", "tile_size", "weight", "mask", "method", "variants", "seed", "photo")
 _OLD = "{from_}, which makes an old set again with its photograph and settings"
 _CUT = "{like}, which cuts as the old set was cut"
 
@@ -53,6 +53,8 @@ class TextureJob(Job):
         A second photograph, for marked corners.
     method : str, optional
         How tiles are made, see `synthesize`.
+    variants : int, optional
+        Pictures of every tile, of which any may lie anywhere; default 1.
     from_ : Path, optional
         A set to make again, with ``reject`` and ``pick``.
     like : Path, optional
@@ -85,6 +87,7 @@ class TextureJob(Job):
     mask: Path | None = None
     second: Path | None = None
     method: str | None = None
+    variants: int = 1
     from_: Path | None = None
     like: Path | None = None
     reject: Sequence[str] | None = None
@@ -137,10 +140,13 @@ class TextureJob(Job):
             "seed": material.recipe["seed"],
             "seconds": round(seconds, 3),
         }
-        size = material.tile_size
+        size, several = material.tile_size, ""
+        if len(material.variants) > len(material.tiles):
+            figures["pictures"] = len(material.variants)
+            several = f", {len(material.variants)} pictures"
         sentence = (
-            f"{folder}: {len(material.tiles)} {material.tiles.shape.name} tiles of {size} x {size} pixels "
-            f"in {seconds:.1f} s"
+            f"{folder}: {len(material.tiles)} {material.tiles.shape.name} tiles{several} of {size} x {size} "
+            f"pixels in {seconds:.1f} s"
         )
         return Done((folder,), figures, sentence)
 
@@ -165,6 +171,7 @@ class TextureJob(Job):
             tile_size=self.tile_size,
             seed=self.seed,
             method=self.method,
+            variants=self.variants,
             pick=self.pick,
             threads=self.threads,
             progress=progress,

@@ -14,6 +14,7 @@ from tilewright.tilings.streams import COLORS, digits_of
 _WORD = 2**32
 _NEAR = 2**30
 """Lattice points from a block's own cell in which all that it sees lies."""
+_NO_STATES = np.zeros((2, 4), np.uint32)
 
 
 class ShaderHash(Protocol):
@@ -22,17 +23,23 @@ class ShaderHash(Protocol):
     defines: dict[str, str]
     part: str
 
-    def place(self, x: int, y: int) -> tuple[NDArray[np.uint32], tuple[int, int]]:
+    def place(self, x: int, y: int, stream: int = 0) -> tuple[NDArray[np.uint32], tuple[int, int]]:
         """Start states (2, 4) and the lattice point in the shader's integers, for a block at (x, y)."""
 
     def table(self) -> NDArray[np.uint32]:
         """Entries of the permutation; none for the mixer."""
 
 
-def shader_hash(hash: LatticeHash, counts: tuple[int, ...]) -> ShaderHash:
-    """The shader's form of a hash that gives ``counts`` colors."""
+def shader_hash(hash: LatticeHash, counts: tuple[int, ...], variants: int = 1) -> ShaderHash:
+    """The shader's form of a hash that gives ``counts`` colors and draws among so many variants."""
     if isinstance(hash, MixerHash):
         return _Mixer(hash)
+    if variants > 1:
+        raise TilewrightValueError(
+            f"the tiling's hash is {hash.name}; on a GPU variants are drawn by the mixer",
+            value=hash.name,
+            advice="use direct(tiles, seed)",
+        )
     if isinstance(hash, PermutationHash):
         return _Permutation(hash, counts)
     raise TilewrightValueError(
@@ -51,7 +58,7 @@ class _Mixer:
         """Nothing: this hash has no table."""
         return np.empty(0, np.uint32)
 
-    def place(self, x: int, y: int) -> tuple[NDArray[np.uint32], tuple[int, int]]:
+    def place(self, x: int, y: int, stream: int = 0) -> tuple[NDArray[np.uint32], tuple[int, int]]:
         """Start states for both signs of x and y.
 
         Coordinates become 32-bit integers whose sign tells the high word: within a block it changes at most
@@ -59,7 +66,7 @@ class _Mixer:
         """
         (low_x, high_x), (low_y, high_y) = _split(x), _split(y)
         states = [
-            [word for y_high in high_y for word in self._hash.start(x_high, y_high)]
+            [word for y_high in high_y for word in self._hash.start(x_high, y_high, stream)]
             for x_high in reversed(high_x)
         ]
         return np.array(states, np.uint32), (low_x, low_y)
@@ -104,16 +111,25 @@ class _Permutation:
         streams = digits_of(COLORS, self._digits)
         return np.concatenate([self._hash.table(stream) for stream in streams]).astype(np.uint32)
 
-    def place(self, x: int, y: int) -> tuple[NDArray[np.uint32], tuple[int, int]]:
+    def place(self, x: int, y: int, stream: int = 0) -> tuple[NDArray[np.uint32], tuple[int, int]]:
         """Coordinates modulo the table's size, moved so that a block has no negative ones."""
         size = self._hash.size
         ahead = _NEAR // size * size
         return np.zeros((2, 4), np.uint32), (x % size + ahead, y % size + ahead)
 
 
-def view_bytes(rows: NDArray[Any], states: NDArray[np.uint32], origin: tuple[int, int]) -> bytes:
-    """The uniform block ``View`` of ``view.glsl``."""
+VIEW_BYTES = 128
+
+
+def view_bytes(
+    rows: NDArray[Any],
+    states: NDArray[np.uint32],
+    origin: tuple[int, int],
+    draws: NDArray[np.uint32] = _NO_STATES,
+    cell: tuple[int, int] = (0, 0),
+) -> bytes:
+    """The uniform block ``View`` of ``view.glsl``; ``draws`` and ``cell`` are for variants."""
     packed = np.zeros((3, 4), np.float32)
     packed[:, :3] = rows
     # The shader's ``west`` is for x < 0.
-    return packed.tobytes() + states.tobytes() + struct.pack("4i", *origin, 0, 0)
+    return packed.tobytes() + states.tobytes() + struct.pack("4i", *origin, *cell) + draws.tobytes()

@@ -12,6 +12,7 @@ from tilewright.shaders.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.frame import shared_border
 from tilewright.tiles import CORNER, WANG, TileSet, corner_tiles
+from tilewright.tiles.variants import MOST_SHADED, name_variants
 from tilewright.tilings import packing
 from tilewright.tilings.packings.closed_form import train
 
@@ -70,7 +71,7 @@ def make_layout(material: TextureTiles, layout: str | None, map: str | None) -> 
     """The textures of a map in a layout, by default a good one for the set."""
     tiles = material.tiles
     if layout is None:
-        layout = "array" if tiles.shape is CORNER and len(tiles) <= _MOST_LAYERS else "atlas"
+        layout = "array" if tiles.shape is CORNER and len(material.variants) <= _MOST_LAYERS else "atlas"
     check_choice("layout", layout, LAYOUTS)
     if tiles.shape is WANG:
         if layout == "array":
@@ -82,17 +83,47 @@ def make_layout(material: TextureTiles, layout: str | None, map: str | None) -> 
     return _array(material, map) if layout == "array" else _atlas(material, map)
 
 
+def even_variants(material: TextureTiles) -> int:
+    """How many variants every tile has; an error where shaders and pictures for them cannot have them so."""
+    variants = material.variants
+    if not 1 <= variants.even <= MOST_SHADED:
+        raise TilewrightValueError(
+            f"has {', '.join(name_variants(variants))}; here every tile needs as many, drawn alike, 1 to "
+            f"{MOST_SHADED}",
+            argument="material",
+            value=variants,
+            advice="TextureField and the viewer page show others",
+        )
+    return variants.even
+
+
+def packed_rows(material: TextureTiles) -> NDArray[np.int64]:
+    """The picture in each cell of an atlas: a packing for each variant, side by side from west to east.
+
+    All of them hold the same tiles, and variants share their borders, so neighbors match where two packings
+    meet and around the whole.
+    """
+    count, packed = even_variants(material), packing(material.tiles)
+    cells = packed.indices(0, 0, *packed.size).astype(np.int64)
+    return np.hstack([cells * count + variant for variant in range(count)])
+
+
+def _variant_defines(variants: int) -> dict[str, str]:
+    return {"VARIANTS": f"{variants}u"} if variants > 1 else {}
+
+
 def _array(material: TextureTiles, map: str | None) -> Layout:
     mips = layer_mipmaps(material, map)
     defines = corner_defines(material.tiles) | array_defines(material.tile_size, mips.gutter)
+    defines |= _variant_defines(even_variants(material))
     return Layout("array", ("array.glsl",), defines, (mips,))
 
 
 def _atlas(material: TextureTiles, map: str | None) -> Layout:
     tiles = material.tiles
-    packed = packing(tiles)
-    mips = atlas_mipmaps(material, packed.indices(0, 0, *packed.size), map)
-    return Layout("atlas", atlas_parts(tiles), corner_defines(tiles), (mips,), places=packed_places(tiles))
+    mips = atlas_mipmaps(material, packed_rows(material), map)
+    defines = corner_defines(tiles) | _variant_defines(even_variants(material))
+    return Layout("atlas", atlas_parts(tiles), defines, (mips,), places=packed_places(tiles))
 
 
 def atlas_parts(tiles: TileSet) -> tuple[str, ...]:
@@ -113,10 +144,11 @@ def _has_short_form(tiles: TileSet) -> bool:
 
 
 def _wei(material: TextureTiles, map: str | None) -> Layout:
-    packed = packing(material.tiles)
-    atlases = (packed.indices(0, 0, *packed.size), corner_configurations(material.tiles))
-    textures = tuple(atlas_mipmaps(material, cells, map) for cells in atlases)
-    return Layout("atlas", WEI_PARTS, wang_defines(material.tiles, material.tile_size), textures, density=2)
+    # Near corners all variants of a tile are alike.
+    corners = material.variants.starts[corner_configurations(material.tiles)]
+    textures = tuple(atlas_mipmaps(material, rows, map) for rows in (packed_rows(material), corners))
+    defines = wang_defines(material.tiles, material.tile_size) | _variant_defines(even_variants(material))
+    return Layout("atlas", WEI_PARTS, defines, textures, density=2)
 
 
 def plain_layout(pixels: NDArray[Any], kind: str) -> Layout:

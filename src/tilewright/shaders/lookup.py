@@ -10,9 +10,11 @@ from tilewright.checks import check_choice, check_int
 from tilewright.seeds import check_seed
 from tilewright.shaders.templates import fill, read_text
 from tilewright.tiles import corner_tiles
+from tilewright.tiles.variants import MOST_SHADED
 from tilewright.tilings import MixerHash
 from tilewright.tilings.hashes import MULTIPLIERS
 from tilewright.tilings.packings.closed_form import packing
+from tilewright.tilings.streams import VARIANTS
 
 DIALECTS = {
     "glsl": "tilewright.glsl",
@@ -26,20 +28,32 @@ DIALECTS = {
 ARRAY_TILES = 256
 """Sets of more tiles than this are laid out as an atlas, not as an array: all devices have 256 layers."""
 MOST_COLORS = 8
+_PAIRS = {
+    "glsl": "vec2",
+    "wgsl": "vec2f",
+    "hlsl": "float2",
+    "unreal": "float2",
+    "godot": "vec2",
+    "osl": "vector",
+}
+"""What each dialect calls two numbers."""
 
 
-def start_states(seed: int) -> tuple[tuple[int, int], ...]:
+def start_states(seed: int, stream: int = 0) -> tuple[tuple[int, int], ...]:
     """Hash states (a, b) of a seed, as 32-bit words, for the four combinations of signs.
 
     In the order x, y >= 0; x < 0 <= y; y < 0 <= x; x, y < 0. They are the states of the corner colors of
-    ``direct(tiles, seed)`` after all but the low words of y and x, for coordinates within 32 bits.
+    ``direct(tiles, seed)`` after all but the low words of y and x, for coordinates within 32 bits; for
+    another stream, those of what it draws.
     """
     check_seed(seed)
     hash = MixerHash(seed)
-    return tuple(hash.start(x_high, y_high) for y_high in (0, -1) for x_high in (0, -1))
+    return tuple(hash.start(x_high, y_high, stream) for y_high in (0, -1) for x_high in (0, -1))
 
 
-def lookup(dialect: str, colors: int, seed: int, tile_size: int, gutter: int | None) -> str:
+def lookup(
+    dialect: str, colors: int, seed: int, tile_size: int, gutter: int | None, variants: int = 1
+) -> str:
     """The lookup in a shader dialect, as the text of an include file.
 
     Parameters
@@ -54,10 +68,17 @@ def lookup(dialect: str, colors: int, seed: int, tile_size: int, gutter: int | N
         Pixels along the side of a tile.
     gutter : int or None
         Pixels around each layer of a texture array; None for the packed atlas.
+    variants : int
+        Pictures of every tile, all drawn alike, 1 to 256: layers one after another, or packings from west to
+        east in the atlas.
     """
     part = DIALECTS[check_choice("dialect", dialect, tuple(DIALECTS))]
     check_int("colors", colors, 1, MOST_COLORS)
-    values = numbers(colors, seed, tile_size, gutter)
+    check_int("variants", variants, 1, MOST_SHADED)
+    values = numbers(colors, seed, tile_size, gutter, variants)
+    if variants > 1 and gutter is None:
+        kind = _PAIRS[dialect]
+        values |= {"scale": f"{kind}({values['scale_x']}, {values['scale_y']})", "scale_type": kind}
     return _fill(part, **values, functions=_fill("functions.hlsl", **values))
 
 
@@ -65,11 +86,15 @@ def _fill(part: str, **values: str | bool) -> str:
     return fill(read_text(__package__, f"dialects/{part}"), **values)
 
 
-def numbers(colors: int, seed: int, tile_size: int, gutter: int | None) -> dict[str, str | bool]:
+def numbers(
+    colors: int, seed: int, tile_size: int, gutter: int | None, variants: int = 1
+) -> dict[str, str | bool]:
     """What the templates of the dialects are filled with."""
     array, even = gutter is not None, colors % 2 == 0
     layer = tile_size + 2 * (gutter or 0)
     texels = layer if array else colors**2 * tile_size
+    wide = real(tile_size / (texels if array else texels * variants))
+    scale = real(tile_size / texels)
     named: dict[str, str | bool] = {
         "version": __version__,
         "colors": str(colors),
@@ -82,14 +107,23 @@ def numbers(colors: int, seed: int, tile_size: int, gutter: int | None) -> dict[
         "two": not array and colors == 2,
         "even": not array and even and colors > 2,
         # A tile's share of a layer's (or the atlas's) side, and where in a layer it begins.
-        "scale": real(tile_size / texels),
+        "scale": scale,
+        "scale_x": wide,
+        "scale_y": scale,
+        "scale_type": "float",
+        "gradient": scale if array or variants == 1 else f"vector({wide}, {scale}, 0.0)",
         "gutter": real((gutter or 0) / texels),
+        "variants": str(variants),
+        "several": variants > 1,
+        "single": variants == 1,
     }
     for n, multiplier in enumerate(MULTIPLIERS):
         named[f"m{n}"], named[f"m{n}s"] = f"0x{multiplier:08x}", str(signed(multiplier))
-    for n, state in enumerate(start_states(seed)):
-        for letter, word in zip("ab", state, strict=True):
-            named[f"{letter}{n}"], named[f"{letter}{n}s"] = f"0x{word:08x}", str(signed(word))
+    for prefix, stream in (("", 0), ("v", VARIANTS)):
+        for n, state in enumerate(start_states(seed, stream)):
+            for letter, word in zip("ab", state, strict=True):
+                name = f"{prefix}{letter}{n}"
+                named[name], named[f"{name}s"] = f"0x{word:08x}", str(signed(word))
     if even:
         for axis, word in zip("xy", _base_places(), strict=True):
             named[f"base_{axis}"], named[f"base_{axis}s"] = f"0x{word:08x}", str(signed(word))

@@ -45,7 +45,7 @@ class Mipmaps:
 
 
 def layer_mipmaps(material: TextureTiles, map: str | None = None) -> Mipmaps:
-    """Mip levels of a map, a layer for each tile in its order, with gutters around the tiles.
+    """Mip levels of a map, a layer for each picture in its order, with gutters around the tiles.
 
     Filter layers with clamped coordinates. Place p in a tile, 0 to 1, is at
     ``(gutter + p * tile_size) / (2 * gutter + tile_size)`` of its layer; take gradients of the position
@@ -54,7 +54,7 @@ def layer_mipmaps(material: TextureTiles, map: str | None = None) -> Mipmaps:
     Returns
     -------
     Mipmaps
-        Level 0 has shape (T, n + 2 gutter, n + 2 gutter, channels): the pixels of the map, and around them
+        Level 0 has shape (rows, n + 2 gutter, n + 2 gutter, channels): the pixels of the map, and around them
         those of neighbors that may lie there.
 
     Raises
@@ -64,7 +64,7 @@ def layer_mipmaps(material: TextureTiles, map: str | None = None) -> Mipmaps:
         depends on tiles that touch only there.
     """
     name = check_map_name(material, map)
-    shared = Shared(material.tiles)
+    shared = Shared(material.tiles, material.variants)
     if not shared.corners:
         raise TilewrightValueError(
             f"layers with gutters need tiles with corner colors, and {material.tiles.shape.name} tiles have "
@@ -96,13 +96,13 @@ def layer_gutter(size: int) -> int:
 
 
 def atlas_mipmaps(material: TextureTiles, cells: NDArray[Any], map: str | None = None) -> Mipmaps:
-    """Mip levels of a picture of whole tiles, as one layer.
+    """Mip levels of many tiles side by side, as one layer.
 
     Parameters
     ----------
     cells : int array, shape (rows, columns)
-        The tile of each cell of a torus whose neighbors match, such as a `tilewright.packing`. Filter the
-        picture with repeated coordinates.
+        The picture (its row in the maps) in each cell of a torus whose neighbors match, such as a
+        `tilewright.packing`. Filter the result with repeated coordinates.
 
     Returns
     -------
@@ -114,12 +114,12 @@ def atlas_mipmaps(material: TextureTiles, cells: NDArray[Any], map: str | None =
     cells = np.asarray(cells)
     if cells.ndim != 2 or cells.dtype.kind not in "iu":
         raise TilewrightTypeError(
-            f"must be a table of tile indices, not {cells.dtype} {cells.shape}",
+            f"must be a table of rows, not {cells.dtype} {cells.shape}",
             argument="cells",
             value=cells.dtype,
-            allowed="a table of tile indices",
+            allowed="a table of rows",
         )
-    shared = Shared(material.tiles)
+    shared = Shared(material.tiles, material.variants)
 
     def values(name: str) -> Iterator[tuple[Values, bool]]:
         tiles = to_values(material.maps[name], material.kinds[name])

@@ -85,3 +85,6 @@ from .tileset import (
 from .tileset import (
     encode as encode,
 )
+from .variants import (
+    Variants as Variants,
+)

@@ -49,6 +49,9 @@ from .packings.symmetries import (
 from .periods import (
     periodic_tiling as periodic_tiling,
 )
+from .placements import (
+    Placements as Placements,
+)
 from .scanline_tiling import (
     scanline as scanline,
 )

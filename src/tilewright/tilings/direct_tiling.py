@@ -91,7 +91,7 @@ class DirectTiling(SlotTiling):
 
     def __init__(self, tiles: TileSet, hash: LatticeHash, domain: Domain, algorithm: Algorithm) -> None:
         super().__init__(tiles, domain)
-        self.hash = hash
+        self.hash = self._variant_hash = hash
         self.algorithm = algorithm
 
     def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:

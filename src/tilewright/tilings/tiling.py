@@ -11,7 +11,10 @@ from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.showing import Shown, describe
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
+from tilewright.tiles.variants import Variants, check_variants
 from tilewright.tilings.domain import Domain
+from tilewright.tilings.hashes import LatticeHash, MixerHash
+from tilewright.tilings.placements import Placements, draw_rows
 
 _MOST_TILES = 2**31
 
@@ -29,6 +32,7 @@ class Tiling(Shown, ABC):
 
     tiles: TileSet
     domain: Domain
+    _variant_hash: LatticeHash = MixerHash(0)
 
     def __repr__(self) -> str:
         return describe(self, repr(self.tiles), str(self.domain))
@@ -86,6 +90,65 @@ class Tiling(Shown, ABC):
             )
         self._fill(tuple(int(s) for s in start), out)
         return out
+
+    def placements(self, *window: int, variants: Variants | None = None) -> Placements:
+        """Give tile, variant and quarter turn of each cell of a window; no tiling turns tiles yet.
+
+        Parameters
+        ----------
+        *window : int
+            As in `Tiling.indices`.
+        variants : Variants, optional
+            How many variants each tile has, and their weights; one of each by default. A variant is drawn by
+            a hash at its cell (folded into the tiling's period): the tiling's own where it is `direct`, that
+            of seed 0 elsewhere.
+
+        Returns
+        -------
+        Placements
+            Three arrays of the window's shape.
+
+        Raises
+        ------
+        TilewrightTypeError
+            Variants of another type, or a window as `Tiling.indices` refuses it.
+        TilewrightValueError
+            Variants of another number of tiles, or a window as `Tiling.indices` refuses it.
+        """
+        indices = self.indices(*window)
+        chosen = np.zeros_like(indices)
+        if variants is not None:
+            chosen = (self.rows(*window, variants=variants) - variants.starts[indices]).astype(np.int32)
+        return Placements(indices, chosen, np.zeros(indices.shape, np.int8))
+
+    def rows(self, *window: int, variants: Variants) -> NDArray[np.int32]:
+        """Give `Tiling.placements` as one number a cell: the row of a signal that it shows.
+
+        Parameters
+        ----------
+        *window : int
+            As in `Tiling.indices`.
+        variants : Variants
+            Those of the signal, as in its attribute ``variants``.
+
+        Returns
+        -------
+        int32 array, shape (height, width)
+            Rows of the signal; where every tile has one variant, the tiles.
+
+        Raises
+        ------
+        TilewrightTypeError
+            Variants of another type, or a window as `Tiling.indices` refuses it.
+        TilewrightValueError
+            Variants of another number of tiles, or a window as `Tiling.indices` refuses it.
+        """
+        check_variants(variants, self.tiles)
+        indices = self.indices(*window)
+        if len(variants) == len(self.tiles):
+            return indices
+        start = tuple(int(s) for s in window[: self.tiles.shape.dimension])
+        return draw_rows(indices, variants, self._variant_hash, self.domain, start)
 
     @abstractmethod
     def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:

@@ -30,6 +30,7 @@ from tilewright.tiles import (
     tile_set,
     wang_tiles,
 )
+from tilewright.tiles.variants import Variants
 
 # Neighborhoods
 
@@ -79,7 +80,8 @@ def test_lists_hold_the_tiles_that_fit():
 def test_closeness_against_all_pairs():
     rng = np.random.default_rng(4)
     tiles = cohen_tiles(8)
-    made = PointTiles.of(tiles, [rng.random((rng.integers(0, 6), 2)) for _ in range(16)], variants=2)
+    rows = [rng.random((rng.integers(0, 6), 2)) for _ in range(16)]
+    made = PointTiles.of(tiles, rows, variants=Variants.uniform(tiles, 2))
     within, across = [], []
     for row in range(16):
         own = made.tile(*divmod(row, 2)).astype(float)

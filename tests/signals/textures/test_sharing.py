@@ -9,7 +9,7 @@ from tilewright.signals.textures.sharing import Shared
 def test_edges_of_sets_of_many_colors_keep_their_own_numbers():
     # Two tiles whose N edges (NW, NE) are (256, 0) and (0, 1), and so one number in base 256.
     tiles = tw.tile_set([[0, 5, 6, 256], [1, 5, 6, 0], [300, 0, 1, 300]], "corner")
-    edges = Shared(tiles).edges
+    edges = Shared(tiles, tw.Variants.uniform(tiles)).edges
     for side, ends in {"N": ("NW", "NE"), "S": ("SW", "SE"), "W": ("NW", "SW"), "E": ("NE", "SE")}.items():
         pairs = tiles.slots[:, [tiles.shape.slot(end) for end in ends]].astype(int)
         same = (pairs[:, None] == pairs[None]).all(axis=2)

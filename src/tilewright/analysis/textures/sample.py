@@ -20,7 +20,7 @@ class Sample:
     material : TextureTiles
         The picture of each tile.
     cells : int32 array, shape (n, n)
-        Tile of each cell.
+        Picture in each cell: its row in the material's maps.
     """
 
     material: TextureTiles
@@ -32,17 +32,17 @@ class Sample:
         return self.material.tile_size
 
     def assemble(self, tiles: NDArray[np.generic]) -> NDArray[np.generic]:
-        """Lay pictures of tiles side by side.
+        """Lay pictures side by side.
 
         Parameters
         ----------
-        tiles : array, shape (T, size, size, k)
-            A picture for each tile, of any type.
+        tiles : array, shape (rows, size, size, k)
+            Pictures of any type, in the order of the material's maps.
 
         Returns
         -------
         array, shape (n * size, n * size, k)
-            The pictures where the cells have their tiles.
+            The pictures where the cells have them.
         """
         rows, columns = self.cells.shape
         picture = tiles[self.cells].swapaxes(1, 2)
@@ -96,4 +96,5 @@ def lay_sample(material: TextureTiles, cells: int = 12, seed: int = 0) -> Sample
         A number out of range.
     """
     n = check_int("cells", cells, 4, 64)
-    return Sample(material, stochastic(material.tiles, n, n, seed).indices(0, 0, n, n))
+    tiling = stochastic(material.tiles, n, n, seed)
+    return Sample(material, tiling.rows(0, 0, n, n, variants=material.variants))

@@ -15,12 +15,13 @@ from tilewright import __version__
 from tilewright.errors import TilewrightValueError
 from tilewright.export.ktx2 import gpu_bytes
 from tilewright.pixels import MAP_WORDS, as_rgba, without_alpha
+from tilewright.shaders.layouts import even_variants, packed_rows
 from tilewright.shaders.lookup import ARRAY_TILES, MOST_COLORS, lookup, numbers, start_states
 from tilewright.shaders.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import is_normal, is_signed, to_linear
 from tilewright.tiles import CORNER
-from tilewright.tilings import packing
+from tilewright.tilings.streams import VARIANTS
 
 FACTS = "tilewright.json"
 """The file that makes a folder one of ours, and lists the others."""
@@ -50,11 +51,11 @@ class Kit:
     Attributes
     ----------
     material : TextureTiles
-        Over a complete corner set of 1 to 8 colors.
+        Over a complete corner set of 1 to 8 colors, with as many variants of every tile.
     seed : int
         Seed of the tiling.
     form : str
-        ``"array"``: a layer for each tile, with gutters; ``"atlas"``: the packing.
+        ``"array"``: a layer for each tile and variant, with gutters; ``"atlas"``: a packing of each variant.
     green : str
         ``"gl"`` or ``"dx"``: where the target wants the green of normal maps to point.
     """
@@ -69,6 +70,11 @@ class Kit:
     def colors(self) -> int:
         """Colors of the corner set."""
         return self.material.tiles.colors[0]
+
+    @property
+    def variants(self) -> int:
+        """Pictures of every tile, all drawn alike."""
+        return self.material.variants.even
 
     @property
     def gutter(self) -> int | None:
@@ -86,9 +92,7 @@ class Kit:
             if self.form == "array":
                 self._mipmaps[map] = layer_mipmaps(self.material, map)
             else:
-                columns, rows = packing(self.material.tiles).size
-                cells = packing(self.material.tiles).indices(0, 0, columns, rows)
-                self._mipmaps[map] = atlas_mipmaps(self.material, cells, map)
+                self._mipmaps[map] = atlas_mipmaps(self.material, packed_rows(self.material), map)
         return self._mipmaps[map]
 
     def levels(self, map: str) -> tuple[Levels, bool]:
@@ -115,12 +119,12 @@ class Kit:
 
     def lookup(self, dialect: str) -> str:
         """The include file of a dialect; see `lookup`."""
-        return lookup(dialect, self.colors, self.seed, self.material.tile_size, self.gutter)
+        return lookup(dialect, self.colors, self.seed, self.material.tile_size, self.gutter, self.variants)
 
     def numbers(self) -> dict[str, str | bool]:
         """What templates are filled with: the numbers of the lookup, and which slots have a map."""
         slots = {f"has_{name}": name in self.slots for name in ("color", "normal", "roughness", *_SLOTS)}
-        return numbers(self.colors, self.seed, self.material.tile_size, self.gutter) | slots
+        return numbers(self.colors, self.seed, self.material.tile_size, self.gutter, self.variants) | slots
 
     def finish(
         self,
@@ -158,7 +162,8 @@ def prepare(material: TextureTiles, seed: int, *, atlas: bool = False, green: st
     Raises
     ------
     TilewrightValueError
-        The tiles are not a complete corner set of 1 to 8 colors.
+        The tiles are not a complete corner set of 1 to 8 colors, or have not as many variants each, drawn
+        alike.
     """
     tiles = material.tiles
     if tiles.shape is not CORNER or not tiles.is_complete or tiles.colors[0] > MOST_COLORS:
@@ -168,7 +173,8 @@ def prepare(material: TextureTiles, seed: int, *, atlas: bool = False, green: st
             f"{MOST_COLORS}",
             argument="material",
         )
-    return Kit(material, seed, "atlas" if atlas or len(tiles) > ARRAY_TILES else "array", green)
+    pictures = len(tiles) * even_variants(material)
+    return Kit(material, seed, "atlas" if atlas or pictures > ARRAY_TILES else "array", green)
 
 
 def find_slots(material: TextureTiles) -> dict[str, str]:
@@ -233,6 +239,7 @@ def _readme(
     size = material.tile_size
     even = size % kit.gutter == 0 if kit.gutter else size & (size - 1) == 0
     deep = any(pixels.dtype != np.uint8 for pixels in material.maps.values())
+    several = f" in {kit.variants} variants" if kit.variants > 1 else ""
     photograph = next(iter(material.sources[0].values())).shape[1]
 
     def total(*formats: str) -> str:
@@ -242,8 +249,8 @@ def _readme(
         f"{map} ({files[map]}, {material.kinds[map].partition('-')[0]})" for map in material.maps
     )
     lines = [
-        f"{name}, made by tilewright {__version__}: {len(material.tiles)} corner tiles, {kit.colors} colors, "
-        f"{size} px, seed {kit.seed}, as {kit.form}.",
+        f"{name}, made by tilewright {__version__}: {len(material.tiles)} corner tiles{several}, "
+        f"{kit.colors} colors, {size} px, seed {kit.seed}, as {kit.form}.",
         f"Checked: {checked}.",
         *steps,
         f"Maps: {maps}; green of normals points {'up (OpenGL)' if kit.green == 'gl' else 'down (DirectX)'}"
@@ -272,7 +279,7 @@ def _write_facts(kit: Kit, folder: Path, files: dict[str, str]) -> None:
         }
         for map in kit.material.maps
     }
-    facts = {
+    facts: dict[str, Any] = {
         "program": f"tilewright {__version__}",
         "form": kit.form,
         "tiles": len(kit.material.tiles),
@@ -286,6 +293,8 @@ def _write_facts(kit: Kit, folder: Path, files: dict[str, str]) -> None:
         "slots": kit.slots,
         "files": sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()),
     }
+    if kit.variants > 1:
+        facts |= {"variants": kit.variants, "variant_start_states": start_states(kit.seed, VARIANTS)}
     (folder / FACTS).write_text(json.dumps(facts, indent=1) + os.linesep, encoding="utf-8")
 
 

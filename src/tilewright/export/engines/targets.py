@@ -36,7 +36,8 @@ def save_for_engine(material: TextureTiles, folder: AnyPath, to: str, *, seed: i
     Parameters
     ----------
     material : TextureTiles
-        Texture tiles over a complete corner set of 1 to 8 colors.
+        Texture tiles over a complete corner set of 1 to 8 colors, with as many variants of every tile, drawn
+        alike, up to 256.
     folder : str or path-like
         Made whole or not at all. A folder of an earlier export is replaced, another one that is not empty
         refused.
@@ -46,14 +47,14 @@ def save_for_engine(material: TextureTiles, folder: AnyPath, to: str, *, seed: i
         arrays; ``"atlas"``: pictures.
     seed : int, optional
         Seed of the tiling, 0 to 2^64 - 1, built into the shader; default 0. Cells within 32 bits have the
-        tiles of ``direct(material.tiles, seed)``.
+        tiles of ``direct(material.tiles, seed)``, and the variants that it draws.
 
     Raises
     ------
     TilewrightTypeError
         Something else than texture tiles, a path or an integer.
     TilewrightValueError
-        No such target, or the tiles are not a complete corner set.
+        No such target, or the tiles are not a complete corner set or have other variants.
     TilewrightFileError
         The folder holds other things, or cannot be written.
 

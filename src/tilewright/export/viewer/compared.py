@@ -44,7 +44,9 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
         if isinstance(one.field, TextureField):
             tiles = one.field.material
             shown = copy_from_sources(({name: photo},), tiles.origins)[name]
-            plane["tiles"] = describe_set(tiles.tiles, seed, [describe_map(name, shown, light)])
+            plane["tiles"] = describe_set(
+                tiles.tiles, tiles.variants, seed, [describe_map(name, shown, light)]
+            )
             plane["own"] = tiles is compare.material
         else:
             plane["photo"] = "gauss" if isinstance(one.field, NoiseField) else "color"

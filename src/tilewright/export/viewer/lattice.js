@@ -39,9 +39,14 @@ function colorAt(start, x, y, count) {
 
 const SECOND_STREAM = { bits: 5, "marked-edges": 4, "marked-sums": 4 };
 
-/** The tiling of a material: which tile lies at a cell, for a seed. */
+const VARIANT_STREAM = 6;
+
+/** The tiling of a material: which tile and variant lies at a cell, for a seed. */
 class Lattice {
-  /** @param tiling {algorithm, radices: [C of N and S, C of E and W, 0, C of corners], indexOfCode | cells} */
+  /**
+   * @param tiling {algorithm, radices: [C of N and S, C of E and W, 0, C of corners], indexOfCode | cells,
+   *   variants: {tiles: their number, values: first row of each tile, then the threshold of each row}}
+   */
   constructor(tiling) {
     this.tiling = tiling;
     this.setSeed(0n);
@@ -52,10 +57,26 @@ class Lattice {
     const second = SECOND_STREAM[this.tiling.algorithm];
     this.first = startStream(this.tiling.algorithm === "bits" ? second : 0, seed);
     this.marks = startStream(second ?? 0, seed);
+    this.draw = startStream(VARIANT_STREAM, seed);
   }
 
-  /** Number of the tile at a cell (BigInt, BigInt), or -1. */
-  tileAt(x, y) {
+  /** Numbers of the tile at a cell (BigInt, BigInt), -1 where there is none, and of its variant. */
+  placementAt(x, y) {
+    const { algorithm, variants } = this.tiling, found = this.#lookUp(x, y);
+    if (!variants || found < 0) return [found, 0];
+    const { tiles, values } = variants;
+    let tile = found, row = found;
+    if (algorithm === "baked") {
+      for (tile = 0; values[tile + 1] <= row;) tile++;
+    } else {
+      const number = colorAt(this.draw, x, y, 2 ** 24);
+      for (row = values[tile]; row + 1 < values[tile + 1] && number >= values[tiles + 2 + row];) row++;
+    }
+    return [tile, row - values[tile]];
+  }
+
+  /** The tile at a cell; its picture where cells are stored. */
+  #lookUp(x, y) {
     const { algorithm, radices, cells, indexOfCode } = this.tiling;
     if (algorithm === "baked") {
       const inside = x >= 0n && y >= 0n && x < BigInt(cells.width) && y < BigInt(cells.height);

@@ -12,6 +12,7 @@ function readMaterial() {
   for (const { tiles } of material.planes) {
     unpack(tiles?.tiling.cells, Uint16Array);
     unpack(tiles?.tiling.indexOfCode, Uint16Array);
+    unpack(tiles?.tiling.variants, Uint32Array);
   }
   unpack(material.photo?.inverse, Float32Array);
   return material;
@@ -237,11 +238,11 @@ class Page {
     };
   }
 
-  /** Number of the tile of the plane that is shown (the left one of two), -1 where it has none. */
-  #tileAt(x, y) {
+  /** Numbers of tile and variant of the plane that is shown (the left one of two); tile -1 where it has none. */
+  #placementAt(x, y) {
     const { lattice } = this.renderer.planes[this.comparison.shown[0].plane];
     lattice?.setSeed(this.seed);
-    return lattice?.tileAt(x, y) ?? -1;
+    return lattice?.placementAt(x, y) ?? [-1, 0];
   }
 
   get api() {
@@ -251,7 +252,8 @@ class Page {
       showMap: (name) => this.#chooseMap(this.material.maps.findIndex((map) => map.name === name)),
       pixels: () => { this.changed(false); this.draw(); return this.renderer.pixels(); },
       show: (method, beside) => { this.comparison.set({ method, beside }); return this.#load(); },
-      tileAt: (cellX, cellY) => this.#tileAt(BigInt(cellX), BigInt(cellY)),
+      tileAt: (cellX, cellY) => this.#placementAt(BigInt(cellX), BigInt(cellY))[0],
+      variantAt: (cellX, cellY) => this.#placementAt(BigInt(cellX), BigInt(cellY))[1],
     };
   }
 }

@@ -117,6 +117,8 @@ def _assemble(material: TextureTiles, seed: int, title: str, compare: SideBySide
     baked = any(is_baked(tiles) for tiles in sets)
     shape, colors = material.tiles.shape.name, max(material.tiles.colors)
     subtitle = f"{len(material.tiles)} {shape} tiles, {colors} colors, {material.tile_size} px"
+    if len(material.variants) > len(material.tiles):
+        subtitle += f", {len(material.variants)} pictures"
     if baked:
         subtitle += f"; a patch of {BAKED_CELLS} x {BAKED_CELLS} cells"
     shaders = _SHADERS if compare is None else (*_SHADERS, "photo.glsl")
@@ -149,5 +151,5 @@ def _describe(material: TextureTiles, seed: int) -> dict[str, Any]:
         shown, note = screen_bytes(pixels, light)
         maps.append(describe_map(name, shown, light))
         notes.append({"name": name, "note": note})
-    tiles = describe_set(material.tiles, seed, maps)
+    tiles = describe_set(material.tiles, material.variants, seed, maps)
     return {"maps": notes, "planes": [{"name": "tiles", "label": "Tiles", "own": True, "tiles": tiles}]}

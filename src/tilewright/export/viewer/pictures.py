@@ -11,7 +11,7 @@ from tilewright.signals.textures.kinds import to_linear
 
 
 def describe_map(name: str, shown: NDArray[np.uint8], light: bool) -> dict[str, Any]:
-    """A map's tiles, shape (T, H, W, channels), as the page holds them."""
+    """A map's pictures, shape (rows, H, W, channels), as the page holds them."""
     return {
         "name": name,
         "light": light,

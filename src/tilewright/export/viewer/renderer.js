@@ -183,6 +183,9 @@ class TilePlane {
     const { width, height, values } =
       tiles.tiling.cells ?? tiles.tiling.indexOfCode ?? { width: 1, height: 1, values: new Uint16Array(1) };
     this.table = renderer.table(width, height, gl.R16UI, gl.RED_INTEGER, gl.UNSIGNED_SHORT, values);
+    const { variants } = tiles.tiling;
+    this.variants = variants && renderer.table(
+      variants.width, variants.height, gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, variants.values);
     this.textures = new Map();
   }
 
@@ -206,13 +209,20 @@ class TilePlane {
     gl.bindTexture(gl.TEXTURE_2D_ARRAY, this.textures.get(look.map));
     gl.uniform1i(u.uTiles, 0);
     gl.uniform1i(u.uTable, 1);
+    if (this.variants) {
+      gl.activeTexture(gl.TEXTURE2);
+      gl.bindTexture(gl.TEXTURE_2D, this.variants);
+      gl.uniform1i(u.uVariants, 2);
+      gl.uniform1i(u.uTileCount, tiling.variants.tiles);
+      gl.uniform2ui(u.uDraw, ...lattice.draw);
+    }
     gl.uniform2ui(u.uFirst, ...lattice.first);
     gl.uniform2ui(u.uMarks, ...lattice.marks);
     gl.uniform4ui(u.uRadices, ...tiling.radices);
     gl.uniform2ui(u.uOriginX, ...words(camera.cellX));
     gl.uniform2ui(u.uOriginY, ...words(camera.cellY));
     gl.uniform1i(u.uBaked, tiling.algorithm === "baked" ? 1 : 0);
-    gl.uniform1i(u.uRepeat, look.repeat ? repeat : -1);
+    gl.uniform1i(u.uRepeat, look.repeat ? tiling.variants?.values[repeat] ?? repeat : -1);
     gl.uniform1i(u.uSide, this.size);
     gl.uniform1i(u.uAcross, this.across);
     gl.uniform1i(u.uTopLevel, this.topLevel);
@@ -224,8 +234,9 @@ class TilePlane {
   /** What is at a cell, for the readout. */
   describe(x, y, seed, look) {
     this.lattice.setSeed(seed);
-    const tile = look.repeat ? this.tiles.repeat : this.lattice.tileAt(x, y);
-    return tile < 0 ? "no tile" : `tile ${tile}`;
+    const [tile, variant] = look.repeat ? [this.tiles.repeat, 0] : this.lattice.placementAt(x, y);
+    if (tile < 0) return "no tile";
+    return this.variants ? `tile ${tile}, variant ${variant}` : `tile ${tile}`;
   }
 }
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.tiles import TileSet
+from tilewright.tiles.variants import Variants
 from tilewright.tilings import stochastic
 from tilewright.tilings.algorithms import recognize
 
@@ -16,11 +17,11 @@ _IN_SHADER = ("corners", "edges", "sums", "bits", "marked-edges", "marked-sums")
 _TABLE_WIDTH = 1024
 
 
-def describe_set(tiles: TileSet, seed: int, maps: list[dict[str, Any]]) -> dict[str, Any]:
-    """All the page needs to lay the tiles of the maps."""
-    tiling = describe_tiling(tiles, seed)
+def describe_set(tiles: TileSet, variants: Variants, seed: int, maps: list[dict[str, Any]]) -> dict[str, Any]:
+    """All the page needs to lay the pictures of the maps."""
+    tiling = describe_tiling(tiles, variants, seed)
     return {
-        "count": len(tiles),
+        "count": len(variants),
         "repeat": _repeatable(tiles),
         "tiling": tiling,
         "defines": _defines(tiling, tiles),
@@ -33,24 +34,29 @@ def is_baked(described: dict[str, Any]) -> bool:
     return bool(described["tiling"]["algorithm"] == "baked")
 
 
-def describe_tiling(tiles: TileSet, seed: int) -> dict[str, Any]:
+def describe_tiling(tiles: TileSet, variants: Variants, seed: int) -> dict[str, Any]:
     """How the page finds tiles: an algorithm with its colors and, of incomplete sets, tiles by code.
 
-    The algorithms are those of `tilewright.direct`; ``"baked"`` is a stored patch of cells.
+    The algorithms are those of `tilewright.direct`; ``"baked"`` is a stored patch of cells, which hold rows.
+    Where tiles have variants, a table has the first row of each tile and the threshold of each row.
     """
+    described: dict[str, Any] = {}
+    if len(variants) > len(tiles):
+        values = np.concatenate([variants.starts, variants.thresholds])
+        described["variants"] = _long_table(values, "<u4") | {"tiles": len(tiles)}
     known = recognize(tiles)
     algorithm = known.name if known else ""
     if algorithm not in _IN_SHADER:
         side = BAKED_CELLS
-        cells = stochastic(tiles, side, side, seed).indices(0, 0, side, side)
-        return {"algorithm": "baked", "radices": [0] * 4, "cells": _table(cells)}
+        cells = stochastic(tiles, side, side, seed).rows(0, 0, side, side, variants=variants)
+        return {"algorithm": "baked", "radices": [0] * 4, "cells": _table(cells), **described}
     colors = dict(zip(tiles.shape.slots, tiles.colors, strict=True))
     radices = [colors.get(slot, 1) for slot in ("N", "E")] + [0, colors.get("NW", 1)]
-    described: dict[str, Any] = {"algorithm": algorithm, "radices": radices}
+    described |= {"algorithm": algorithm, "radices": radices}
     if not tiles.is_complete:
         index = np.zeros(int(np.prod(tiles.colors)), np.int64)
         index[tiles.codes] = np.arange(len(tiles))
-        described["indexOfCode"] = _table(np.pad(index, (0, -len(index) % _TABLE_WIDTH))[np.newaxis])
+        described["indexOfCode"] = _long_table(index, "<u2")
     return described
 
 
@@ -64,16 +70,21 @@ def _defines(tiling: dict[str, Any], tiles: TileSet) -> str:
         lines += ["#define HAS_EDGES"] if algorithm != "corners" else []
         lines += ["#define HAS_CORNERS"] if marked or algorithm == "corners" else []
         lines += [f"#define CORNER_STREAM {'uMarks' if marked else 'uFirst'}"]
+        lines += ["#define HAS_VARIANTS"] if "variants" in tiling else []
     return "\n".join(lines)
 
 
-def _table(values: NDArray[Any]) -> dict[str, Any]:
-    """Small whole numbers for a texture: rows of equal width."""
-    rows = values if values.shape[0] > 1 else values.reshape(-1, min(values.size, _TABLE_WIDTH))
+def _long_table(values: NDArray[Any], kind: str) -> dict[str, Any]:
+    """A list of whole numbers for a texture, filled up with zeros."""
+    return _table(np.pad(values, (0, -len(values) % _TABLE_WIDTH)).reshape(-1, _TABLE_WIDTH), kind)
+
+
+def _table(rows: NDArray[Any], kind: str = "<u2") -> dict[str, Any]:
+    """Whole numbers for a texture: rows of equal width."""
     return {
         "width": rows.shape[1],
         "height": rows.shape[0],
-        "values": base64.b64encode(rows.astype("<u2").tobytes()).decode(),
+        "values": base64.b64encode(rows.astype(kind).tobytes()).decode(),
     }
 
 

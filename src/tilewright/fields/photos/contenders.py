@@ -89,7 +89,7 @@ def side_by_side(material: TextureTiles, *, seed: int = 0, progress: Progress | 
     ----------
     material : TextureTiles
         Made from one photograph. The other of Wang and corner tiles is made from the same exemplar, with the
-        same tile size, seed and number of colors.
+        same tile size, seed, number of colors and of variants.
     seed : int, optional
         Seed of all tilings and blends, 0 to 2^64 - 1; default 0.
     progress : callable, optional
@@ -150,6 +150,7 @@ def _other_kind(material: TextureTiles, progress: Progress | None) -> TextureTil
         corner_tiles(colors) if "N" in shape.slots else wang_tiles(colors),
         tile_size=material.tile_size,
         seed=material.recipe.get("seed", 0),
+        variants=material.recipe.get("variants", 1),
         progress=progress,
     )
 
@@ -166,4 +167,6 @@ def _tiled(name: str, label: str, material: TextureTiles, seed: int) -> Contende
     n, tiles = material.tile_size, material.tiles
     plane = TextureField(material, stochastic(tiles, _CELLS, _CELLS, seed))
     lookups = 0 if tiles.is_complete else 1
-    return Contender(name, label, plane, np.eye(2, dtype=np.int64) * n, 1, lookups, len(tiles) * n * n)
+    return Contender(
+        name, label, plane, np.eye(2, dtype=np.int64) * n, 1, lookups, len(material.variants) * n * n
+    )

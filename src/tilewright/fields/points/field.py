@@ -7,47 +7,60 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_function_of_place, check_int, check_real
+from tilewright.checks import check_int
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.fields.agreement import check_agreement
+from tilewright.fields.points.laying import LaidPoints, check_share
 from tilewright.fields.points.nearest import NearestSearch
-from tilewright.fields.points.thinning import Density, draw_lowest, share_out
-from tilewright.fields.points.window import MOST_POINTS, PointWindow, View, Window, fit_out, make_out
+from tilewright.fields.points.thinning import Density, draw_lowest
+from tilewright.fields.points.window import MOST_POINTS, PointWindow, View, Window
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.point_set import PointSet
 from tilewright.showing import Shown, describe
-from tilewright.signals.points import PointTiles
-from tilewright.tilings import MixerHash, Tiling
-from tilewright.tilings.density import evaluate_density
-from tilewright.tilings.direct_tiling import DirectTiling
 from tilewright.tilings.domain import LARGEST_CELL
-from tilewright.tilings.streams import VARIANTS
-
-_BLOCK_POINTS = 2**22
 
 
-class PointField(Shown):
-    """Point tiles laid by a tiling.
+class PointField(Shown, LaidPoints):
+    """Point tiles laid by a tiling: an endless plane of points.
 
     Parameters
     ----------
     tiles : PointTiles
+        The points of each tile.
     tiling : Tiling
         A tiling of the same tile set.
+
+    Attributes
+    ----------
+    tiles : PointTiles
+        The points of each tile.
+    tiling : Tiling
+        Which tile goes where.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than point tiles and a tiling.
+    TilewrightValueError
+        The tiling lays another tile set.
 
     Notes
     -----
     Lengths are in tiles: cell (x, y) covers [x, x + 1) x [y, y + 1); x grows east and y grows south. Cells
-    reach to +-2^61. Windows are half open, so that those side by side share no point.
-    """
+    reach to +-2^61. Windows are half open, so that those side by side share no point. Variants of tiles are
+    drawn as `Tiling.placements` tells.
 
-    def __init__(self, tiles: PointTiles, tiling: Tiling) -> None:
-        check_agreement(tiles, PointTiles, tiling)
-        self.tiles = tiles
-        self.tiling = tiling
-        counts = tiles.counts
-        self._same = int(counts[0]) if (counts == counts[0]).all() else 0
-        self._bits = max(int(counts.max()) - 1, 1).bit_length()
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> blue = tw.ready_tiles()
+    >>> field = tw.PointField(blue, tw.direct(blue.tiles, seed=7))
+    >>> field.points(x=0, y=0, width=10, height=10).shape
+    (3200, 2)
+    >>> field.points(0, 0, 1, 1, density=0.1).shape
+    (3, 2)
+    >>> field.sample(1000).shape
+    (1000, 2)
+    """
 
     def __repr__(self) -> str:
         return describe(self, repr(self.tiles), repr(self.tiling))
@@ -63,30 +76,34 @@ class PointField(Shown):
         local: bool = False,
         out: NDArray[Any] | None = None,
     ) -> NDArray[Any]:
-        """Points of a window, equal to those of any other window that holds them.
+        """Give the points of a window, equal to those of any other window that holds them.
 
         Parameters
         ----------
-        x, y : float or int
-            North-west corner, in tiles.
-        width, height : float
-            In tiles.
-        density : float or function, optional
-            Keep this share of the points, the first of them by rank. A function ``density(x, y)`` gets two
-            float64 arrays of shape (n,), the points as they are asked for, and answers the share of each, 0
-            to 1, in an array of that shape.
-        local : bool
-            Measure from the window's corner instead of from the origin, which keeps far windows exact.
+        x, y : float or int, optional
+            North-west corner of the window, in tiles; default 0.
+        width, height : float, optional
+            Size of the window, in tiles; default 10.
+        density : float or callable, optional
+            The share of the points to keep, 0 to 1, the first of them by rank; default 1. A function
+            ``density(x, y)`` gets two float64 arrays of shape (n,), the points as they are asked for, and
+            answers the share of each.
+        local : bool, optional
+            Measure from the window's corner instead of from the origin, which keeps far windows exact;
+            default False.
         out : float32 or float64 array, shape (at least as many as come, 2), C-contiguous, optional
-            Written to from the first row on.
+            An array to be written to from the first row on; by default a new one is made.
 
         Returns
         -------
-        float64 array, shape (n, 2), or the part of ``out`` that was written
-            Row by row of cells; within a cell by rank.
+        float64 array, shape (n, 2)
+            Points, x first, row by row of cells and by rank within a cell; or the part of ``out`` that was
+            written.
 
         Raises
         ------
+        TilewrightTypeError
+            An argument of another type.
         TilewrightValueError
             A window that is empty, too large to hold, or so far out that its points would run together in
             the precision of the result; too small an ``out``.
@@ -104,9 +121,28 @@ class PointField(Shown):
         density: Density = 1.0,
         local: bool = False,
     ) -> PointWindow:
-        """Points of a window with cells, numbers in the tile, ranks and ids.
+        """Give the points of a window with cells, numbers in the tile, ranks and ids.
 
-        Parameters, order and errors are those of `points`.
+        Parameters
+        ----------
+        x, y : float or int, optional
+            North-west corner of the window, in tiles; default 0.
+        width, height : float, optional
+            Size of the window, in tiles; default 10.
+        density : float or callable, optional
+            The share of the points to keep, as in `PointField.points`; default 1.
+        local : bool, optional
+            Measure from the window's corner instead of from the origin; default False.
+
+        Returns
+        -------
+        PointWindow
+            The points in the order of `PointField.points`, and who they are.
+
+        Raises
+        ------
+        TilewrightTypeError, TilewrightValueError
+            As `PointField.points` raises them.
         """
         view = self._view(Window.of(x, y, width, height))
         points, names = self._lay(view, density, local, None, named=True)
@@ -123,8 +159,28 @@ class PointField(Shown):
         *,
         density: float = 1.0,
     ) -> int:
-        """How many points `points` gives for the same window and share; errors are those of `points`."""
-        rank = _check_share(density)
+        """Count the points of a window without making them.
+
+        Parameters
+        ----------
+        x, y : float or int, optional
+            North-west corner of the window, in tiles; default 0.
+        width, height : float, optional
+            Size of the window, in tiles; default 10.
+        density : float, optional
+            The share of the points to keep, 0 to 1; default 1.
+
+        Returns
+        -------
+        int
+            Number of points that `PointField.points` gives for the same window and share.
+
+        Raises
+        ------
+        TilewrightTypeError, TilewrightValueError
+            As `PointField.points` raises them.
+        """
+        rank = check_share(density)
         return int(self._counts(self._view(Window.of(x, y, width, height)), rank).sum())
 
     def sample(
@@ -137,21 +193,31 @@ class PointField(Shown):
         *,
         local: bool = False,
     ) -> NDArray[np.float64]:
-        """Exactly ``count`` points of a window: those of lowest rank, and of equal rank some by chance.
+        """Give exactly ``count`` points of a window: those of lowest rank, and of equal rank some by chance.
 
         Parameters
         ----------
         count : int
-        x, y : float or int
-            North-west corner.
+            Number of points, 1 to 2^31.
+        x, y : float or int, optional
+            North-west corner of the window, in tiles; default 0.
         width, height : float, optional
-            By default the smallest square of whole tiles that holds enough points.
-        local : bool
-            As in `points`.
+            Size of the window, in tiles; by default the smallest square of whole tiles that holds enough
+            points.
+        local : bool, optional
+            Measure from the window's corner instead of from the origin; default False.
 
         Returns
         -------
         float64 array, shape (count, 2)
+            Points, x first, in tiles.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number of another type, or a width without a height.
+        TilewrightValueError
+            The window holds fewer points, or cannot be used as `PointField.points` tells.
         """
         n = check_int("count", count, 1, MOST_POINTS, "sample_blocks() gives larger sets a piece at a time")
         if (width is None) != (height is None):
@@ -170,21 +236,30 @@ class PointField(Shown):
     def sample_blocks(
         self, count: int, x: int = 0, y: int = 0, side: int | None = None, *, local: bool = False
     ) -> Iterator[NDArray[np.float64]]:
-        """The points `sample` gives for a square of whole tiles, in pieces of some million.
+        """Give the points of `PointField.sample` for a square of whole tiles, in pieces of some million.
 
         Parameters
         ----------
         count : int
-        x, y : int
-            North-west cell.
+            Number of points, 1 to 2^40.
+        x, y : int, optional
+            North-west cell of the square, within +-2^61; default 0.
         side : int, optional
-            Side of the square in tiles; the smallest that holds enough points by default.
-        local : bool
-            As in `points`.
+            Side of the square in tiles, 1 to 2^31; by default the smallest that holds enough points.
+        local : bool, optional
+            Measure from the square's corner instead of from the origin; default False.
 
         Yields
         ------
         float64 array, shape (n, 2)
+            The next points, x first, in tiles.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A number that is not an integer.
+        TilewrightValueError
+            The square holds fewer points, or does not lie in the tiling.
         """
         n = check_int("count", count, 1, 2**40)
         left, top = (check_int(a, v, -LARGEST_CELL, LARGEST_CELL) for a, v in (("x", x), ("y", y)))
@@ -193,7 +268,27 @@ class PointField(Shown):
         yield from self._lay_quotas(view, n, local)
 
     def side_for(self, count: int, x: float = 0, y: float = 0) -> int:
-        """Side of the smallest square, in whole tiles and from (x, y) on, that holds ``count`` points."""
+        """Find the smallest square of whole tiles that holds a number of points.
+
+        Parameters
+        ----------
+        count : int
+            Number of points, 1 to 2^40.
+        x, y : float or int, optional
+            North-west corner of the square, in tiles; default 0.
+
+        Returns
+        -------
+        int
+            Side of the square in tiles.
+
+        Raises
+        ------
+        TilewrightTypeError
+            A count that is not an integer.
+        TilewrightValueError
+            The tiles hold no points, or the count is out of range.
+        """
         n = check_int("count", count, 1, 2**40)
         if self.tiles.density == 0:
             raise TilewrightValueError("the tiles hold no points")
@@ -216,35 +311,55 @@ class PointField(Shown):
         density: Density = 1.0,
         local: bool = False,
     ) -> Iterator[NDArray[np.float64]]:
-        """The points of a window in pieces of some million, for sets larger than memory.
+        """Give the points of a window in pieces of some million, for sets larger than memory.
 
-        The pieces together hold the same points as `points`; they are bands of whole rows of cells, or
-        parts of bands where these are long. With ``local``, points count from the corner of the window.
-        Parameters and errors are those of `points`, but that windows may be of any size.
+        The pieces together hold the same points as `PointField.points`; they are bands of whole rows of
+        cells, or parts of bands where these are long.
+
+        Parameters
+        ----------
+        x, y : float or int, optional
+            North-west corner of the window, in tiles; default 0.
+        width, height : float, optional
+            Size of the window, in tiles, as large as one likes; default 10.
+        density : float or callable, optional
+            The share of the points to keep, as in `PointField.points`; default 1.
+        local : bool, optional
+            Measure from the corner of the whole window instead of from the origin; default False.
 
         Yields
         ------
         float64 array, shape (n, 2)
+            The next points, x first, in tiles.
+
+        Raises
+        ------
+        TilewrightTypeError, TilewrightValueError
+            As `PointField.points` raises them.
         """
-        most = max(1, int(_BLOCK_POINTS / max(self.tiles.density, 1e-9)))
+        most = max(1, int(self._block_points / max(self.tiles.density, 1e-9)))
         for piece in Window.of(x, y, width, height).pieces(most):
             yield self._lay(self._view(piece), density, local, None)[0]
 
     def nearest(self, positions: ArrayLike) -> tuple[NDArray[np.float64], PointWindow]:
-        """The nearest point of the field to each position (Lagae 2007, section 7.6.2).
+        """Find the nearest point of the field to each position (Lagae 2007, section 7.6.2).
 
         Parameters
         ----------
-        positions : array-like, shape (n, 2)
+        positions : array-like of float, shape (n, 2)
+            Where to look from, x first, in tiles.
 
         Returns
         -------
         distances : float64 array, shape (n,)
+            Distances to the nearest points, in tiles.
         found : PointWindow
             One point for each position.
 
         Raises
         ------
+        TilewrightTypeError
+            Something else than pairs of numbers.
         TilewrightValueError
             No point lies within 16 tiles of a position.
         """
@@ -257,7 +372,12 @@ class PointField(Shown):
         return distances, PointWindow(points, cells, numbers, self.tiles.ranks[at], self._bits)
 
     def torus(self) -> PointSet:
-        """All points of a tiling of a torus, see ``period`` of `direct`, in tile lengths.
+        """Give all points of a tiling that goes around, see ``period`` of `direct`.
+
+        Returns
+        -------
+        PointSet
+            The points in tiles, in a box that is a torus.
 
         Raises
         ------
@@ -275,100 +395,3 @@ class PointField(Shown):
         points = self.points(0, 0, width, height)
         distance = self.tiles.distance if min(width, height) > 1 else 0.0
         return PointSet(points, box, f"{self.tiles.method} tiles", distance)
-
-    def rows_at(self, column: int, row: int, columns: int, rows: int) -> NDArray[np.int32]:
-        """Which filling each cell of a window has: tile index times variants, plus the variant."""
-        indices = self.tiling.indices(column, row, columns, rows)
-        variants = self.tiles.variants
-        if variants == 1:
-            return indices
-        domain = self.tiling.domain
-        hash = self.tiling.hash if isinstance(self.tiling, DirectTiling) else MixerHash(0)
-        x, y = domain.wrap(0, column, columns), domain.wrap(1, row, rows)
-        picked = hash.numbers(VARIANTS, x[np.newaxis, :], y[:, np.newaxis]) * variants >> 24
-        return (indices * variants + picked).astype(np.int32)
-
-    def _view(self, window: Window) -> View:
-        return View.of(self.rows_at, self.tiles.density, window)
-
-    def _counts(self, view: View, rank: float) -> NDArray[np.int64]:
-        """Points below a rank in every row of cells."""
-        from tilewright.kernels.emission import count_points
-
-        counts = np.zeros(view.cells.shape[0], np.int64)
-        tiles = self.tiles
-        count_points(view.cells, tiles.starts, tiles.points, tiles.ranks, rank, *view.window.bounds, counts)
-        return counts
-
-    def _lay(
-        self,
-        view: View,
-        density: Density,
-        local: bool,
-        out: NDArray[Any] | None,
-        named: bool = False,
-    ) -> tuple[NDArray[Any], NDArray[np.int64]]:
-        """Points of a window and, if ``named``, row and column of their cells and numbers in the tile."""
-        from tilewright.kernels.emission import lay_points, lay_whole_tiles
-
-        tiles, function = self.tiles, density if callable(density) else None
-        if function is not None:
-            check_function_of_place("density", function)
-        if out is not None:
-            fit_out(out, 0)
-        rank = _check_share(density) if function is None else 1.0
-        named = named or function is not None
-        whole = view.window.is_whole and self._same > 0 and rank >= 1 and not named
-        counts = None if whole else self._counts(view, rank)
-        n = view.cells.size * self._same if counts is None else int(counts.sum())
-        target = fit_out(out, n) if function is None else make_out(n)
-        kinds = (target.dtype,) if out is None else (target.dtype, out.dtype)
-        x0, y0 = view.window.origin(local, kinds, self._spacing)
-        names = np.zeros((n if named else 0, 3), np.int64)
-        if counts is None:
-            lay_whole_tiles(view.cells, tiles.points.ravel(), self._same, x0, y0, target.reshape(-1))
-        else:
-            lay_points(
-                view.cells, tiles.starts, tiles.points, tiles.ranks, rank, *view.window.bounds,
-                np.cumsum(counts) - counts, x0, y0, target, named, names,
-            )  # fmt: skip
-        if function is None:
-            return target, names
-        kept = self._ranks_of(view, names) < evaluate_density(function, *target.T)
-        if out is not None:
-            kept_out = fit_out(out, int(kept.sum()))
-            kept_out[...] = target[kept]
-            return kept_out, names[kept]
-        return target[kept], names[kept]
-
-    def _ranks_of(self, view: View, names: NDArray[np.int64]) -> NDArray[np.float32]:
-        rows = view.cells[names[:, 0], names[:, 1]]
-        ranks: NDArray[np.float32] = self.tiles.ranks[self.tiles.starts[rows] + names[:, 2]]
-        return ranks
-
-    @property
-    def _spacing(self) -> float:
-        """A length that coordinates must tell apart."""
-        return self.tiles.distance or 0.1 / max(self.tiles.density, 1e-9) ** 0.5
-
-    def _lay_quotas(self, view: View, count: int, local: bool) -> Iterator[NDArray[np.float64]]:
-        """The ``count`` points of lowest rank of whole cells, a band of rows at a time."""
-        from tilewright.kernels.emission import lay_first_points
-
-        x0, y0 = view.window.origin(local, (np.dtype(np.float64),), self._spacing)
-        quotas = share_out(self.tiles, view, count)
-        per_row = quotas.sum(axis=1, dtype=np.int64)
-        band = max(1, _BLOCK_POINTS // max(1, int(per_row.max())))
-        for top in range(0, len(per_row), band):
-            rows = slice(top, top + band)
-            points = np.empty((int(per_row[rows].sum()), 2))
-            firsts = np.cumsum(per_row[rows]) - per_row[rows]
-            lay_first_points(
-                view.cells[rows], quotas[rows], firsts, self.tiles.starts, self.tiles.points,
-                x0, y0 + top, points,
-            )  # fmt: skip
-            yield points
-
-
-def _check_share(density: Any) -> float:
-    return check_real("density", density, 0.0, 1.0)

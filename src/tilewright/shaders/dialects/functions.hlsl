@@ -33,6 +33,21 @@ uint4 TwCorners(int2 cell) {
   return uint4(TwColor(north, x + 1u), TwColor(south, x + 1u), sw, nw);
 }
 
+// {{#several}}
+// Which variant of its tile lies in a cell.
+uint TwVariant(int2 cell) {
+  uint x = (uint)cell.x, y = (uint)cell.y;
+  uint2 east = cell.y < 0 ? uint2({{va2}}u, {{vb2}}u) : uint2({{va0}}u, {{vb0}}u);
+  uint2 west = cell.y < 0 ? uint2({{va3}}u, {{vb3}}u) : uint2({{va1}}u, {{vb1}}u);
+  uint2 start = cell.x < 0 ? west : east;
+  uint a = TwMix(start.x ^ y), h = a ^ x;
+  h ^= h >> 16; h = h * {{m0}}u + TwMix((start.y ^ a) + y);
+  h ^= h >> 15; h *= {{m1}}u;
+  h ^= h >> 15;
+  return ((h >> 8) * {{variants}}u) >> 24;
+}
+
+// {{/several}}
 // {{#array}}
 // Number of the tile with these corners.
 uint TwTile(uint4 c) { return ((c.x * {{colors}}u + c.y) * {{colors}}u + c.z) * {{colors}}u + c.w; }

@@ -1,10 +1,22 @@
 // Endless plane of corner tiles over {{colors}} colors, seed {{seed}}; made by tilewright {{version}}.
 // GLSL 3.30 or GLSL ES 3.00, highp. Positions p are in tiles, x east, y south.
 // {{#array}}
+// {{#single}}
 // Textures are arrays with a layer for each tile. Filter them trilinear or anisotropic; clamp.
+// {{/single}}
+// {{#several}}
+// Textures are arrays with a layer for each of {{variants}} variants of each tile. Filter them trilinear or
+// anisotropic; clamp.
+// {{/several}}
 // {{/array}}
 // {{#atlas}}
+// {{#single}}
 // Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
+// {{/single}}
+// {{#several}}
+// Textures are atlases that hold each of {{variants}} variants of each tile once. Filter them trilinear or
+// anisotropic; repeat.
+// {{/several}}
 // {{/atlas}}
 
 uint twMix(uint h) {
@@ -42,6 +54,20 @@ uvec4 twCorners(ivec2 cell) {
   return uvec4(twColor(north, x + 1u), twColor(south, x + 1u), sw, nw);
 }
 
+// {{#several}}
+// Which variant of its tile lies in a cell.
+uint twVariant(ivec2 cell) {
+  uint x = uint(cell.x), y = uint(cell.y);
+  uvec2 start = cell.y < 0 ? (cell.x < 0 ? uvec2({{va3}}u, {{vb3}}u) : uvec2({{va2}}u, {{vb2}}u))
+                           : (cell.x < 0 ? uvec2({{va1}}u, {{vb1}}u) : uvec2({{va0}}u, {{vb0}}u));
+  uint a = twMix(start.x ^ y), h = a ^ x;
+  h ^= h >> 16u; h = h * {{m0}}u + twMix((start.y ^ a) + y);
+  h ^= h >> 15u; h *= {{m1}}u;
+  h ^= h >> 15u;
+  return ((h >> 8u) * {{variants}}u) >> 24u;
+}
+
+// {{/several}}
 // {{#array}}
 // Number of the tile with these corners.
 uint twTile(uvec4 c) { return ((c.x * {{colors}}u + c.y) * {{colors}}u + c.z) * {{colors}}u + c.w; }
@@ -96,7 +122,13 @@ struct TwPlace { vec3 uv; vec2 dx; vec2 dy; };
 TwPlace twFind(vec2 p, ivec2 origin) {
   vec2 cell = floor(p);
   vec2 uv = (p - cell) * {{scale}} + {{gutter}};
+// {{#single}}
   float layer = float(twTile(twCorners(ivec2(cell) + origin)));
+// {{/single}}
+// {{#several}}
+  ivec2 here = ivec2(cell) + origin;
+  float layer = float(twTile(twCorners(here)) * {{variants}}u + twVariant(here));
+// {{/several}}
   return TwPlace(vec3(uv, layer), dFdx(p) * {{scale}}, dFdy(p) * {{scale}});
 }
 
@@ -109,7 +141,14 @@ struct TwPlace { vec2 uv; vec2 dx; vec2 dy; };
 // p is counted from the cell origin; move it to have another part of the plane.
 TwPlace twFind(vec2 p, ivec2 origin) {
   vec2 cell = floor(p);
+// {{#single}}
   vec2 uv = (vec2(twPlace(twCorners(ivec2(cell) + origin))) + (p - cell)) * {{scale}};
+// {{/single}}
+// {{#several}}
+  ivec2 here = ivec2(cell) + origin;
+  uvec2 place = twPlace(twCorners(here)) + uvec2(twVariant(here) * {{side}}u, 0u);
+  vec2 uv = (vec2(place) + (p - cell)) * {{scale}};
+// {{/several}}
   return TwPlace(uv, dFdx(p) * {{scale}}, dFdy(p) * {{scale}});
 }
 

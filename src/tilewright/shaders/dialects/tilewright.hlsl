@@ -1,10 +1,22 @@
 // Endless plane of corner tiles over {{colors}} colors, seed {{seed}}; made by tilewright {{version}}.
 // HLSL, shader model 4 and up. Positions p are in tiles, x east, y south.
 // {{#array}}
+// {{#single}}
 // Textures are arrays with a layer for each tile. Filter them trilinear or anisotropic; clamp.
+// {{/single}}
+// {{#several}}
+// Textures are arrays with a layer for each of {{variants}} variants of each tile. Filter them trilinear or
+// anisotropic; clamp.
+// {{/several}}
 // {{/array}}
 // {{#atlas}}
+// {{#single}}
 // Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
+// {{/single}}
+// {{#several}}
+// Textures are atlases that hold each of {{variants}} variants of each tile once. Filter them trilinear or
+// anisotropic; repeat.
+// {{/several}}
 // {{/atlas}}
 #ifndef TILEWRIGHT_INCLUDED
 #define TILEWRIGHT_INCLUDED
@@ -18,7 +30,14 @@ struct TwPlace { float3 uv; float2 dx; float2 dy; };
 TwPlace TwFind(float2 p, int2 origin) {
   float2 cell = floor(p);
   TwPlace at;
+// {{#single}}
   at.uv = float3((p - cell) * {{scale}} + {{gutter}}, (float)TwTile(TwCorners((int2)cell + origin)));
+// {{/single}}
+// {{#several}}
+  int2 here = (int2)cell + origin;
+  uint layer = TwTile(TwCorners(here)) * {{variants}}u + TwVariant(here);
+  at.uv = float3((p - cell) * {{scale}} + {{gutter}}, (float)layer);
+// {{/several}}
   at.dx = ddx(p) * {{scale}};
   at.dy = ddy(p) * {{scale}};
   return at;
@@ -36,7 +55,14 @@ struct TwPlace { float2 uv; float2 dx; float2 dy; };
 TwPlace TwFind(float2 p, int2 origin) {
   float2 cell = floor(p);
   TwPlace at;
+// {{#single}}
   at.uv = ((float2)TwPlaceOf(TwCorners((int2)cell + origin)) + (p - cell)) * {{scale}};
+// {{/single}}
+// {{#several}}
+  int2 here = (int2)cell + origin;
+  uint2 place = TwPlaceOf(TwCorners(here)) + uint2(TwVariant(here) * {{side}}u, 0u);
+  at.uv = ((float2)place + (p - cell)) * {{scale}};
+// {{/several}}
   at.dx = ddx(p) * {{scale}};
   at.dy = ddy(p) * {{scale}};
   return at;

@@ -1,10 +1,22 @@
 // Endless plane of corner tiles over {{colors}} colors, seed {{seed}}; made by tilewright {{version}}.
 // Positions p are in tiles, x east, y south.
 // {{#array}}
+// {{#single}}
 // Textures are arrays with a layer for each tile. Filter them trilinear or anisotropic; clamp.
+// {{/single}}
+// {{#several}}
+// Textures are arrays with a layer for each of {{variants}} variants of each tile. Filter them trilinear or
+// anisotropic; clamp.
+// {{/several}}
 // {{/array}}
 // {{#atlas}}
+// {{#single}}
 // Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
+// {{/single}}
+// {{#several}}
+// Textures are atlases that hold each of {{variants}} variants of each tile once. Filter them trilinear or
+// anisotropic; repeat.
+// {{/several}}
 // {{/atlas}}
 
 fn tw_mix(word: u32) -> u32 {
@@ -46,6 +58,22 @@ fn tw_corners(cell: vec2i) -> vec4u {
   return vec4u(tw_color(north, x + 1u), tw_color(south, x + 1u), sw, nw);
 }
 
+// {{#several}}
+// Which variant of its tile lies in a cell.
+fn tw_variant(cell: vec2i) -> u32 {
+  let x = u32(cell.x);
+  let y = u32(cell.y);
+  let start = select(select(vec2u({{va0}}u, {{vb0}}u), vec2u({{va1}}u, {{vb1}}u), cell.x < 0),
+                     select(vec2u({{va2}}u, {{vb2}}u), vec2u({{va3}}u, {{vb3}}u), cell.x < 0), cell.y < 0);
+  let a = tw_mix(start.x ^ y);
+  var h = a ^ x;
+  h ^= h >> 16u; h = h * {{m0}}u + tw_mix((start.y ^ a) + y);
+  h ^= h >> 15u; h *= {{m1}}u;
+  h ^= h >> 15u;
+  return ((h >> 8u) * {{variants}}u) >> 24u;
+}
+
+// {{/several}}
 // {{#array}}
 // Number of the tile with these corners.
 fn tw_tile(c: vec4u) -> u32 {
@@ -106,7 +134,14 @@ struct TwPlace { uv: vec2f, layer: u32, dx: vec2f, dy: vec2f }
 fn tw_find(p: vec2f, origin: vec2i) -> TwPlace {
   let cell = floor(p);
   let uv = (p - cell) * {{scale}} + {{gutter}};
+// {{#single}}
   return TwPlace(uv, tw_tile(tw_corners(vec2i(cell) + origin)), dpdx(p) * {{scale}}, dpdy(p) * {{scale}});
+// {{/single}}
+// {{#several}}
+  let here = vec2i(cell) + origin;
+  let layer = tw_tile(tw_corners(here)) * {{variants}}u + tw_variant(here);
+  return TwPlace(uv, layer, dpdx(p) * {{scale}}, dpdy(p) * {{scale}});
+// {{/several}}
 }
 
 fn tw_sample(map: texture_2d_array<f32>, filtering: sampler, at: TwPlace) -> vec4f {
@@ -121,7 +156,14 @@ struct TwPlace { uv: vec2f, dx: vec2f, dy: vec2f }
 // fragments of a quad do (uniform control flow).
 fn tw_find(p: vec2f, origin: vec2i) -> TwPlace {
   let cell = floor(p);
+// {{#single}}
   let uv = (vec2f(tw_place(tw_corners(vec2i(cell) + origin))) + (p - cell)) * {{scale}};
+// {{/single}}
+// {{#several}}
+  let here = vec2i(cell) + origin;
+  let place = tw_place(tw_corners(here)) + vec2u(tw_variant(here) * {{side}}u, 0u);
+  let uv = (vec2f(place) + (p - cell)) * {{scale}};
+// {{/several}}
   return TwPlace(uv, dpdx(p) * {{scale}}, dpdy(p) * {{scale}});
 }
 

@@ -8,7 +8,13 @@ struct TwFunctions {
 
 TwFunctions tw;
 float2 twCell = floor(Position);
+// {{#single}}
 uint2 twPlace = tw.TwPlaceOf(tw.TwCorners((int2)twCell + (int2)round(Origin)));
+// {{/single}}
+// {{#several}}
+int2 twHere = (int2)twCell + (int2)round(Origin);
+uint2 twPlace = tw.TwPlaceOf(tw.TwCorners(twHere)) + uint2(tw.TwVariant(twHere) * {{side}}u, 0u);
+// {{/several}}
 DX = ddx(Position) * {{scale}};
 DY = ddy(Position) * {{scale}};
 return ((float2)twPlace + (Position - twCell)) * {{scale}};

@@ -22,6 +22,16 @@ uint finish(uvec2 row, int x, uint count) {
   return ((h >> 8) * count) >> 24;
 }
 
+#ifdef VARIANTS
+// Which variant of its tile lies in a cell.
+uint variantAt(ivec2 at) {
+  uvec4 start = at.x < 0 ? view.drawWest : view.drawEast;
+  uvec2 s = at.y < 0 ? start.zw : start.xy;
+  uint a = mix32(s.x ^ uint(at.y));
+  return finish(uvec2(a, mix32((s.y ^ a) + uint(at.y))), at.x, VARIANTS);
+}
+#endif
+
 // Colors at (first, y) and (last, y), first < last: one state serves both but where x changes its sign.
 uvec2 rowColors(int first, int last, int y, uint count) {
   uvec2 row = rowState(last, y);

@@ -3,6 +3,7 @@
 layout(set = 0, binding = 0) uniform View {
   vec4 x, y, w;
   uvec4 west, east;  // start of the hash for x < 0 and x >= 0: two words for y >= 0, two for y < 0
-  ivec4 origin;      // lattice point of cell (0, 0)
+  ivec4 origin;      // lattice point of cell (0, 0); that cell as variants are drawn for it
+  uvec4 drawWest, drawEast;  // start of the hash that draws variants
 } view;
 layout(set = 0, binding = 1) uniform sampler filtering;

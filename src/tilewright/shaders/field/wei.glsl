@@ -19,5 +19,10 @@ vec4 sampleField(vec2 p, vec2 dx, vec2 dy) {
     return textureGrad(
       sampler2D(corners, filtering), (p - point + place + 1.0) / SIDES.yx, dx / SIDES.yx, dy / SIDES.yx);
   }
-  return textureGrad(sampler2D(tiles, filtering), (p - cell + place) / SIDES, dx / SIDES, dy / SIDES);
+  vec2 sides = SIDES;
+#ifdef VARIANTS
+  place.x += float(variantAt(view.origin.zw + ivec2(cell))) * SIDES.x;
+  sides.x *= float(VARIANTS);
+#endif
+  return textureGrad(sampler2D(tiles, filtering), (p - cell + place) / sides, dx / sides, dy / sides);
 }

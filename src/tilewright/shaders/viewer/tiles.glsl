@@ -6,8 +6,13 @@ uniform uvec2 uFirst, uMarks;    // hash states: edges or corners; marks of corn
 uniform uvec4 uRadices;          // colors of horizontal edges, vertical edges, unused, corners
 uniform uvec2 uOriginX, uOriginY;
 uniform bool uBaked;             // cells lie in uTable and end there
-uniform int uRepeat;             // the tile to repeat everywhere, or -1
+uniform int uRepeat;             // the picture to repeat everywhere, or -1
 uniform int uAcross;             // tiles along a layer
+#ifdef HAS_VARIANTS
+uniform usampler2D uVariants;    // first row of each tile and of none more, then the threshold of each row
+uniform int uTileCount;
+uniform uvec2 uDraw;             // hash state
+#endif
 
 // --- Which tile: the direct tilings, bit for bit as in tilings/direct.py
 
@@ -75,8 +80,25 @@ Slots slotsAt(uvec2 x, uvec2 y) {
   return s;
 }
 
-// Number of the tile at a cell counted from the origin, -1 where there is none.
-int tileAt(ivec2 cell) {
+#ifdef HAS_VARIANTS
+int variantEntry(int at) {
+  int wide = textureSize(uVariants, 0).x;
+  return int(texelFetch(uVariants, ivec2(at % wide, at / wide), 0).r);
+}
+
+// The picture of a tile that lies at a cell, as in tiles/variants.py.
+int drawRow(int tile, uvec2 x, uvec2 y) {
+  int number = int(finish(startRow(uDraw, x.y, y), x.x));
+  int row = variantEntry(tile), last = variantEntry(tile + 1) - 1;
+  while (row < last && number >= variantEntry(uTileCount + 2 + row)) row++;
+  return row;
+}
+#else
+int drawRow(int tile, uvec2 x, uvec2 y) { return tile; }
+#endif
+
+// Number of the picture at a cell counted from the origin, -1 where there is none.
+int rowAt(ivec2 cell) {
   if (uRepeat >= 0) return uRepeat;
   uvec2 x = plus(uOriginX, cell.x), y = plus(uOriginY, cell.y);
 #ifdef ALGORITHM_BAKED
@@ -92,21 +114,21 @@ int tileAt(ivec2 cell) {
   for (int i = 0; i < 4; i++) code = code * uRadices.w + s.corners[i];
 #endif
 #ifdef COMPLETE
-  return int(code);
+  return drawRow(int(code), x, y);
 #else
   uint wide = uint(textureSize(uTable, 0).x);
-  return int(texelFetch(uTable, ivec2(code % wide, code / wide), 0).r);
+  return drawRow(int(texelFetch(uTable, ivec2(code % wide, code / wide), 0).r), x, y);
 #endif
 #endif
 }
 
 // --- Its texels
 
-vec4 texel(int tile, ivec2 at, int level, int n) {
-  if (tile < 0) return vec4(0.0);
-  int perLayer = uAcross * uAcross, place = tile % perLayer;
+vec4 texel(int row, ivec2 at, int level, int n) {
+  if (row < 0) return vec4(0.0);
+  int perLayer = uAcross * uAcross, place = row % perLayer;
   ivec2 corner = ivec2(place % uAcross, place / uAcross) * n;
-  vec4 t = texelFetch(uTiles, ivec3(corner + at, tile / perLayer), level);
+  vec4 t = texelFetch(uTiles, ivec3(corner + at, row / perLayer), level);
   return vec4(t.rgb * t.a, t.a);
 }
 
@@ -133,13 +155,13 @@ vec4 sampleLevel(vec2 p, int level, float sharp) {
   vec4 weights = vec4((1.0 - w.x) * (1.0 - w.y), w.x * (1.0 - w.y), (1.0 - w.x) * w.y, w.x * w.y);
   vec4 sum = vec4(0.0);
   ivec2 known = ivec2(0x7fffffff);
-  int tile = -1;
+  int row = -1;
   for (int k = 0; k < 4; k++) {
     if (weights[k] > 0.0) {
       ivec2 at = ivec2(base) + ivec2(k & 1, k >> 1);
       ivec2 over = ivec2(greaterThanEqual(at, ivec2(n))) - ivec2(lessThan(at, ivec2(0)));
-      if (cell + over != known) tile = tileAt(known = cell + over);
-      sum += weights[k] * texel(tile, at - over * n, level, n);
+      if (cell + over != known) row = rowAt(known = cell + over);
+      sum += weights[k] * texel(row, at - over * n, level, n);
     }
   }
   return sum;

@@ -11,13 +11,14 @@ from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.showing import Shown, describe, many
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
+from tilewright.tiles.variants import NUMBER_BITS, Variants, check_variants, name_variants
 
 _ONE = np.nextafter(np.float32(1), np.float32(0))
 
 
 @dataclass(frozen=True, eq=False)
 class PointTiles(Shown):
-    """Points over a tile set: V variants of T tiles.
+    """Points over a tile set, with one or several variants of each tile.
 
     Attributes
     ----------
@@ -26,13 +27,13 @@ class PointTiles(Shown):
     points : float32 array, shape (P, 2)
         The points of all tiles one after another, x first, in tile lengths: 0 <= x, y < 1 within the tile.
         Those of one tile lie in the order of their ranks.
-    starts : int64 array, shape (T V + 1,)
-        Where each tile's points start and end; variant v of tile t is number t V + v.
+    starts : int64 array, shape (rows + 1,)
+        Where the points of each row start and end; a row is a variant of a tile, see ``variants``.
     ranks : float32 array, shape (P,)
         From 0 up to 1: keeping the points of rank below d in every tile leaves a share of about d of them, as
         evenly spread as can be.
-    variants : int
-        Interchangeable fillings V of every tile, 1 to 2^31; default 1.
+    variants : Variants
+        Interchangeable fillings of the tiles, and how often each is drawn; one of each by default.
     distance : float
         No two points of any tiling are closer, in tile lengths, 0 to 1.5; default 0, which promises nothing.
     method : str
@@ -58,7 +59,7 @@ class PointTiles(Shown):
     points: NDArray[np.float32]
     starts: NDArray[np.int64]
     ranks: NDArray[np.float32]
-    variants: int = 1
+    variants: Variants = None  # type: ignore[assignment]  # set below, for the set at hand
     distance: float = 0.0
     method: str = "given"
     recipe: dict[str, Any] = field(default_factory=dict)
@@ -77,14 +78,15 @@ class PointTiles(Shown):
                 value=self.points.shape,
                 allowed="(P, 2), (P,) and one axis",
             )
-        object.__setattr__(self, "variants", check_int("variants", self.variants, 1, 2**31))
+        given = Variants.uniform(self.tiles) if self.variants is None else self.variants
+        object.__setattr__(self, "variants", check_variants(given, self.tiles))
         object.__setattr__(self, "distance", check_real("distance", self.distance, 0.0, 1.5))
         if not isinstance(self.method, str) or not isinstance(self.recipe, dict):
             raise TilewrightTypeError("method must be a word and recipe a dict")
-        if len(self.starts) != len(self.tiles) * self.variants + 1:
+        if len(self.starts) != len(self.variants) + 1:
             raise TilewrightValueError(
-                f"has {len(self.starts)} entries; {len(self.tiles)} tiles of {self.variants} variants "
-                f"need {len(self.tiles) * self.variants + 1}",
+                f"has {len(self.starts)} entries; {len(self.tiles)} tiles with {len(self.variants)} "
+                f"variants in all need {len(self.variants) + 1}",
                 argument="starts",
                 value=len(self.starts),
             )
@@ -117,11 +119,11 @@ class PointTiles(Shown):
         tiles : TileSet
             What may meet; T tiles.
         rows : list of float array, shape (n, 2)
-            The points of each tile, x first, in tile lengths from 0 up to 1; the V variants of a tile one
-            after another, T V arrays in all.
+            The points of each tile, x first, in tile lengths from 0 up to 1; the variants of a tile one
+            after another.
         ranks : list of float array, shape (n,), optional
             Ranks from 0 up to 1 for the same points, by which they are sorted; by default the points' order.
-        **rest : int, float, str or dict
+        **rest : Variants, float, str or dict
             Further attributes: ``variants``, ``distance``, ``method``, ``recipe``, ``figures``.
 
         Returns
@@ -150,19 +152,21 @@ class PointTiles(Shown):
 
     def __repr__(self) -> str:
         each = f"{many(round(self.density, 3), 'point')} each"
-        more = [f"{self.variants} variants"] if self.variants > 1 else []
+        more = name_variants(self.variants)
         return describe(
             self, f"{self.tiles!r}", each, *more, f"method {self.method}", f"distance {self.distance:.6g}"
         )
 
     @property
     def density(self) -> float:
-        """Points per tile, on average over the set."""
-        return len(self.points) / (len(self.starts) - 1)
+        """Points per tile, on average over the set, variants by their weights."""
+        if self.variants.even:
+            return len(self.points) / len(self.variants)
+        return float((self.counts * (self.variants.shares / 2**NUMBER_BITS)).sum() / len(self.tiles))
 
     @property
     def counts(self) -> NDArray[np.int64]:
-        """Number of points of every tile and variant, int64, shape (T V,)."""
+        """Number of points of every row, int64, shape (rows,)."""
         return np.diff(self.starts)
 
     def tile(self, index: int, variant: int = 0) -> NDArray[np.float32]:
@@ -188,7 +192,7 @@ class PointTiles(Shown):
             There is no such tile or variant.
         """
         index = check_int("index", index, 0, len(self.tiles) - 1)
-        row = index * self.variants + check_int("variant", variant, 0, self.variants - 1)
+        row = self.variants.row(index, variant)
         return self.points[self.starts[row] : self.starts[row + 1]]
 
 

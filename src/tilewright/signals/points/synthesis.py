@@ -18,6 +18,7 @@ from tilewright.signals.points.ranks import rank_points
 from tilewright.signals.points.spikes import find_spikes
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
+from tilewright.tiles.variants import Variants
 
 METHODS = ("balanced", "relaxed")
 _FEWEST, _MOST = 8, 256
@@ -157,7 +158,7 @@ def _finish(
     }  # fmt: skip
     made = PointTiles.of(
         plan.tiles, rows, [ranks[n] for n in numbers],
-        variants=plan.variants, distance=distance, method=method, recipe=recipe,
+        variants=Variants.uniform(plan.tiles, plan.variants), distance=distance, method=method, recipe=recipe,
     )  # fmt: skip
     close = find_closeness(made, plan.distance * 1.01)
     if close.distance < distance:

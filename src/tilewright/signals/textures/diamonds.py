@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from tilewright.errors import TilewrightValueError
 from tilewright.signals.textures.corners import PLAINNESS, SHOWN, integer_features, squared_distances
 from tilewright.signals.textures.frame import Frame
-from tilewright.signals.textures.nested import even, inside_border, lay_center_patch
+from tilewright.signals.textures.nested import center_opening, even, inside_border, lay_centers
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
 from tilewright.signals.textures.search import CONTEXT, CONTEXT_SIGMA, PatchSearch, Place
 from tilewright.tiles import TileSet
@@ -41,19 +41,18 @@ def lay_burke(search: PatchSearch, tiles: TileSet, rng: np.random.Generator) -> 
     return stack([_join(search, frame, samples, slots, inside_border(frame)) for slots in tiles.slots])
 
 
-def lay_diamonds_with_centers(search: PatchSearch, tiles: TileSet, rng: np.random.Generator) -> Patchwork:
-    """Cohen's diamonds under a patch of its own in the middle of each tile."""
+def lay_diamonds_with_centers(
+    search: PatchSearch, tiles: TileSet, rng: np.random.Generator, variants: int = 1
+) -> Patchwork:
+    """Cohen's diamonds under a patch of its own in the middle of each variant of each tile."""
     frame = Frame(search.size)
     samples = choose_samples(search, tiles, rng, PLAINNESS)
-    canvases: list[Patchwork] = []
-    centers: list[Place] = []
-    for tile, slots in enumerate(tiles.slots):
+    openings = []
+    for slots in tiles.slots:
         canvas = _join(search, frame, samples, slots, _near_diagonals(frame))
         shown = [samples.in_tile(frame, side, slots) for side in range(4)]
-        canvas, place = lay_center_patch(search, frame, tile, canvas, (0,), shown, centers)
-        canvases.append(canvas)
-        centers.append(place)
-    return stack(canvases)
+        openings.append(center_opening(frame, canvas, (0,), shown))
+    return lay_centers(search, openings, variants)
 
 
 @dataclass(frozen=True)

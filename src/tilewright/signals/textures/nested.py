@@ -9,6 +9,7 @@ with 1/C^4.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +18,14 @@ from tilewright.signals.textures.corners import choose_corners
 from tilewright.signals.textures.frame import Frame, shared_border
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
 from tilewright.signals.textures.plan import Edge, Plan
-from tilewright.signals.textures.search import CONTEXT, CONTEXT_SIGMA, Opening, PatchSearch, Place
+from tilewright.signals.textures.search import (
+    CONTEXT,
+    CONTEXT_SIGMA,
+    FURTHER_CANDIDATES,
+    Opening,
+    PatchSearch,
+    Place,
+)
 
 OVERLAP = 0.11
 """Half the width in which two corner patches are cut, in tiles."""
@@ -33,8 +41,8 @@ RECURRENCE = 0.17
 """What every older pixel costs that an edge patch or a center patch leaves, see `Opening`."""
 
 
-def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Patchwork:
-    """All tiles of a plan, stacked: coordinates of shape (T, size, size)."""
+def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, variants: int = 1) -> Patchwork:
+    """All variants of all tiles of a plan, stacked: coordinates of shape (T variants, size, size)."""
     frame = Frame(search.size)
     corners = choose_corners(search, plan, round(OVERLAP * search.size), rng)
     edges: list[Patchwork] = []
@@ -49,16 +57,31 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Pat
         canvas, places = lay_edge(search, frame, plan, edge, corners, seen)
         edges.append(canvas)
         edge_places.append(places)
-    tiles = []
-    centers: list[Place] = []
-    for tile in range(len(plan.tile_edges)):
-        canvas = join_edges(frame, [edges[e] for e in plan.tile_edges[tile]])
+    openings = []
+    for tile, sides in enumerate(plan.tile_edges):
+        canvas = join_edges(frame, [edges[e] for e in sides])
         shown = shown_in_tile(frame, plan, tile, corners, edge_places)
-        sources = plan.sources_of_tile(tile)
-        canvas, place = lay_center_patch(search, frame, tile, canvas, sources, shown, centers)
-        centers.append(place)
-        tiles.append(canvas)
-    return stack(tiles)
+        openings.append(center_opening(frame, canvas, plan.sources_of_tile(tile), shown))
+    return lay_centers(search, openings, variants)
+
+
+def lay_centers(search: PatchSearch, openings: Sequence[Opening], variants: int) -> Patchwork:
+    """Give each tile as many patches of its own as there are variants, over what it shares with others.
+
+    The first variants of all tiles come first, so that they are the pictures of a set without variants; the
+    result is in order of tiles.
+    """
+    centers: list[Place] = []
+    rows: dict[tuple[int, int], Patchwork] = {}
+    for variant in range(variants):
+        for tile, opening in enumerate(openings):
+            name = f"center:{tile}:{variant}" if variant else f"center:{tile}"
+            candidates = FURTHER_CANDIDATES if variant else opening.candidates
+            rows[tile, variant], place = search.lay(
+                name, replace(opening, earlier=centers, candidates=candidates)
+            )
+            centers.append(place)
+    return stack([rows[key] for key in sorted(rows)])
 
 
 def lay_edge(
@@ -138,20 +161,11 @@ def shown_in_tile(
     return shown
 
 
-def lay_center_patch(
-    search: PatchSearch,
-    frame: Frame,
-    tile: int,
-    canvas: Patchwork,
-    sources: Sequence[int],
-    shown: list[Place],
-    earlier: list[Place],
-) -> tuple[Patchwork, Place]:
-    """Lay a tile's own patch over everything but the border."""
+def center_opening(frame: Frame, canvas: Patchwork, sources: Sequence[int], shown: list[Place]) -> Opening:
+    """What waits for a tile's own patch: everything but the border."""
     core = frame.superellipse(CENTER_CORE * (MIXED_CORE if len(sources) > 1 else 1))
     state = frame.ring(core, inside_border(frame))
-    opening = Opening(canvas, state, even(frame), sources, shown, earlier, CENTER_PLAINNESS, RECURRENCE)
-    return search.lay(f"center:{tile}", opening)
+    return Opening(canvas, state, even(frame), sources, shown, (), CENTER_PLAINNESS, RECURRENCE)
 
 
 def inside_border(frame: Frame) -> NDArray[np.bool_]:

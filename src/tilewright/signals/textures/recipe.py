@@ -12,13 +12,14 @@ Spot = tuple[int, int, int]
 """(source, y, x): a pixel of a source."""
 
 
-class Recipe(msgspec.Struct):
+class Recipe(msgspec.Struct, omit_defaults=True):
     """How a texture was made; ``TextureTiles.recipe`` is this as a plain dict.
 
     Attributes
     ----------
     patches : the place each named patch was taken from.
     picked, rejected : what an artist asked for; see `tilewright.synthesize`.
+    variants : pictures of each tile; left out where there is one.
     """
 
     method: str
@@ -28,6 +29,7 @@ class Recipe(msgspec.Struct):
     patches: dict[str, Spot]
     picked: dict[str, Spot]
     rejected: dict[str, list[Spot]]
+    variants: int = 1
 
     @classmethod
     def of(cls, material: TextureTiles) -> "Recipe":

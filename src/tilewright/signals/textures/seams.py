@@ -14,6 +14,7 @@ from tilewright.errors import Progress
 from tilewright.signals.textures.kinds import Values, from_values, is_normal, to_values
 from tilewright.signals.textures.sharing import Rim, Shared, with_gutters
 from tilewright.tiles import TileSet
+from tilewright.tiles.variants import Variants
 
 Sources = tuple[dict[str, NDArray[Any]], ...]
 
@@ -29,6 +30,7 @@ def copy_maps(
     origins: NDArray[np.uint16],
     kinds: dict[str, str],
     tiles: TileSet,
+    variants: Variants,
     progress: Progress | None = None,
 ) -> dict[str, NDArray[Any]]:
     """Every map of a material: copied from the sources along ``origins``, and closed where its kind needs it.
@@ -36,17 +38,19 @@ def copy_maps(
     Parameters
     ----------
     sources : tuple of dict of str to array, shape (h, w, channels)
-    origins : uint16 array, shape (T, n, n, 3)
+    origins : uint16 array, shape (rows, n, n, 3)
         (source, y, x) of each pixel.
     kinds : dict of str to str
         What each map holds, see `KINDS`.
+    variants : Variants
+        The rows of each tile.
     """
     from tilewright.signals.textures.texture_tiles import copy_from_sources
 
     maps = copy_from_sources(sources, origins)
     mended = {n: kinds[n] for n in maps if is_normal(kinds[n]) or kinds[n] == "height"}
     if mended:
-        cuts = Cuts(sources, origins, Shared(tiles))
+        cuts = Cuts(sources, origins, Shared(tiles, variants))
         for name, kind in mended.items():
             if kind == "height":
                 maps[name] = _close_heights(maps[name], cuts, name, progress)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from tilewright.signals.textures.kinds import Values
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import MOST_COLORS
+from tilewright.tiles.variants import Variants
 
 EQUAL = 2e-6
 """Values as near as this are the same, as a share of the largest: rounding of float32 means."""
@@ -48,10 +49,11 @@ class Rim:
 
 
 class Shared:
-    """What the tiles of a set share: colors of edges and corners by side."""
+    """What the tiles of a set share: colors of edges and corners by side, for each row of a signal."""
 
-    def __init__(self, tiles: TileSet) -> None:
-        slots = {name: tiles.slots[:, n].astype(np.int64) for n, name in enumerate(tiles.shape.slots)}
+    def __init__(self, tiles: TileSet, variants: Variants) -> None:
+        rows = tiles.slots[variants.tiles].astype(np.int64)
+        slots = {name: rows[:, n] for n, name in enumerate(tiles.shape.slots)}
         self.corners: dict[str, Colors] = {c: slots[c] for c in _CORNERS if c in slots}
         self.edges: dict[str, Colors] = {}
         for side, ends in _ENDS.items():

@@ -7,10 +7,18 @@ import numpy as np
 
 from tilewright.signals.textures.corners import choose_corners, random_corners
 from tilewright.signals.textures.frame import Frame
-from tilewright.signals.textures.nested import OVERLAP, cut_ends, end_places, even, join_edges, shown_in_tile
+from tilewright.signals.textures.nested import (
+    OVERLAP,
+    cut_ends,
+    end_places,
+    even,
+    join_edges,
+    lay_centers,
+    shown_in_tile,
+)
 from tilewright.signals.textures.patchwork import Patchwork, stack
 from tilewright.signals.textures.plan import Plan
-from tilewright.signals.textures.search import Opening, PatchSearch, Place
+from tilewright.signals.textures.search import Opening, PatchSearch
 
 
 def lay_squares(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Patchwork:
@@ -24,7 +32,7 @@ def lay_squares(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Pa
     return stack([join_edges(frame, [edges[e] for e in sides]) for sides in plan.tile_edges])
 
 
-def lay_ng(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Patchwork:
+def lay_ng(search: PatchSearch, plan: Plan, rng: np.random.Generator, variants: int = 1) -> Patchwork:
     """Figure 6d, Ng et al. 2005: random square patches side by side; the seam is covered by one patch.
 
     The patch must cover the cross-shaped seam and lies in the circle inscribed in the tile, so the last
@@ -42,14 +50,9 @@ def lay_ng(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Patchwo
         first, second = end_places(frame, edge, corners)
         along, _ = frame.along_across(edge.axis)
         edges.append(Patchwork.of_patch(frame.size, frame.size, first).with_patch(second, along > 0))
-    tiles: list[Patchwork] = []
-    centers: list[Place] = []
+    openings = []
     for tile, sides in enumerate(plan.tile_edges):
         canvas = join_edges(frame, [edges[e] for e in sides])
         shown = shown_in_tile(frame, plan, tile, corners, [[] for _ in edges])
-        sources = plan.sources_of_tile(tile)
-        opening = Opening(canvas, state, even(frame), sources, shown, centers)
-        canvas, place = search.lay(f"center:{tile}", opening)
-        tiles.append(canvas)
-        centers.append(place)
-    return stack(tiles)
+        openings.append(Opening(canvas, state, even(frame), plan.sources_of_tile(tile), shown))
+    return lay_centers(search, openings, variants)

@@ -4,6 +4,7 @@ import os
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 import numpy as np
 
@@ -29,10 +30,13 @@ from tilewright.signals.textures.squares import lay_ng, lay_squares
 from tilewright.signals.textures.texture_tiles import TextureTiles
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
+from tilewright.tiles.variants import MOST_SHADED, Variants
 
 CORNER_METHODS = ("nested", "ng", "squares")
 EDGE_METHODS = ("centered-diamonds", "diamonds", "burke")
 METHODS = CORNER_METHODS + EDGE_METHODS
+_WITH_CENTERS = ("nested", "ng", "centered-diamonds")
+"""Methods that lay a patch of its own in each tile."""
 SMALLEST_TILE, LARGEST_TILE = 16, 1024
 MOST_PIXELS = 2**28
 """Of all tiles together: about 5 GB of memory while they are made."""
@@ -47,6 +51,7 @@ def synthesize(
     tile_size: int | str = 128,
     seed: int = 0,
     method: str | None = None,
+    variants: int = 1,
     pick: Mapping[str, Spot] | None = None,
     reject: Mapping[str, Sequence[Spot]] | None = None,
     threads: int | None = None,
@@ -71,6 +76,11 @@ def synthesize(
         in the inscribed circle by one patch per tile; Lagae & Dutré 2006, figure 6d) or ``"squares"``
         (figure 6c); for Wang tiles ``"centered-diamonds"`` (default), ``"diamonds"`` (Cohen et al. 2003;
         figure 6a) or ``"burke"`` (figure 6b).
+    variants : int, optional
+        Pictures of every tile, 1 to 256; default 1. They are patches of their own over the same borders, so
+        any of them may lie beside any neighbor. They hide repetition with fewer tiles than more colors. Only
+        methods with a patch of its own for each tile have them: ``"nested"``, ``"ng"`` and
+        ``"centered-diamonds"``.
     pick : dict of str to (source, y, x), optional
         Places for named patches, instead of a search; see ``recipe["patches"]`` for names and places. By
         default every place is searched for.
@@ -84,7 +94,7 @@ def synthesize(
     Returns
     -------
     TextureTiles
-        A picture for each tile of the set, and where each of its pixels was copied from.
+        Pictures for each tile of the set, and where each of their pixels was copied from.
 
     Raises
     ------
@@ -92,7 +102,7 @@ def synthesize(
         An argument of another type.
     TilewrightValueError
         The exemplar or its mask is too small for the tile size, the tiles have more than 2^28 pixels
-        together, the method does not go with the set, or too much was rejected.
+        together, the method does not go with the set or with variants, or too much was rejected.
 
     Warns
     -----
@@ -127,10 +137,18 @@ def synthesize(
             value=method,
             allowed=", ".join(allowed),
         )
+    if check_int("variants", variants, 1, MOST_SHADED) > 1 and method not in _WITH_CENTERS:
+        raise TilewrightValueError(
+            f"is {variants}, and method {method!r} lays no patch of its own in each tile",
+            argument="variants",
+            value=variants,
+            allowed="1",
+            advice=f"use {' or '.join(m for m in allowed if m in _WITH_CENTERS)}",
+        )
     regularity = find_regularity(next(iter(exemplar.sources[0].values())))
     size = _tile_size(tile_size, regularity)
     _warn(regularity, size)
-    _check_cost(len(tiles), size)
+    _check_cost(len(tiles) * variants, size)
     sheet = make_sheet(exemplar)
     ledger = Ledger(
         {name: _to_sheet(sheet, name, spot) for name, spot in pick.items()},
@@ -138,7 +156,7 @@ def synthesize(
     )
     rng = np.random.default_rng(seed)
     with ThreadPoolExecutor(workers) as pool:
-        lay, total = _method(method, tiles, len(exemplar.sources))
+        lay, total = _method(method, tiles, len(exemplar.sources), variants)
         search = PatchSearch(sheet, size, ledger, regularity.shortest_period, pool, progress, total, rng)
         canvas = lay(search, rng)
     unknown = (set(ledger.picked) | set(ledger.rejected)) - set(ledger.laid)
@@ -155,10 +173,12 @@ def synthesize(
         {name: _to_source(sheet, place) for name, place in ledger.laid.items()},
         {name: _to_source(sheet, place) for name, place in ledger.picked.items()},
         {n: [_to_source(sheet, p) for p in ps] for n, ps in ledger.rejected.items()},
+        variants,
     )
-    maps = copy_maps(exemplar.sources, origins, exemplar.kinds, tiles, progress)
+    rows = Variants.uniform(tiles, variants)
+    maps = copy_maps(exemplar.sources, origins, exemplar.kinds, tiles, rows, progress)
     return TextureTiles(
-        tiles, maps, exemplar.sources, origins, recipe.to_dict(), exemplar.masks, exemplar.kinds
+        tiles, maps, exemplar.sources, origins, recipe.to_dict(), exemplar.masks, exemplar.kinds, rows
     )
 
 
@@ -172,7 +192,7 @@ def resynthesize(
 ) -> TextureTiles:
     """Make a set again with some of its patches rejected ("not this one") or picked by hand.
 
-    What was rejected and picked before stays so.
+    What was rejected and picked before stays so, and so do the weights of variants.
 
     Parameters
     ----------
@@ -214,17 +234,19 @@ def resynthesize(
             )
         rejected.setdefault(name, []).append(recipe.patches[name])
         picked.pop(name, None)
-    return synthesize(
+    made = synthesize(
         Exemplar(material.sources, material.masks or None, recipe.weights, material.kinds),
         material.tiles,
         tile_size=recipe.tile_size,
         seed=recipe.seed,
         method=recipe.method,
+        variants=recipe.variants,
         pick=picked,
         reject=rejected,
         threads=threads,
         progress=progress,
     )
+    return replace(made, variants=material.variants)
 
 
 def _check_choices(
@@ -251,8 +273,9 @@ def _check_choices(
 Lay = Callable[[PatchSearch, np.random.Generator], Patchwork]
 
 
-def _method(method: str, tiles: TileSet, sources: int) -> tuple[Lay, int]:
+def _method(method: str, tiles: TileSet, sources: int, variants: int) -> tuple[Lay, int]:
     """The function that lays all tiles, and the number of patches it lays."""
+    centers = len(tiles) * variants
     if method in EDGE_METHODS:
         if sources > 1:
             raise TilewrightValueError(
@@ -260,15 +283,17 @@ def _method(method: str, tiles: TileSet, sources: int) -> tuple[Lay, int]:
             )
         colors = tiles.colors[0] + tiles.colors[1]
         if method == "centered-diamonds":
-            return lambda search, rng: lay_diamonds_with_centers(search, tiles, rng), colors + len(tiles)
+            return lambda search, rng: lay_diamonds_with_centers(
+                search, tiles, rng, variants
+            ), colors + centers
         lay = lay_diamonds if method == "diamonds" else lay_burke
         return lambda search, rng: lay(search, tiles, rng), colors
     plan = make_plan(tiles, sources)
     if method == "nested":
-        total = len(plan.corner_sources) + len(plan.edges) + len(tiles)
-        return lambda search, rng: lay_nested(search, plan, rng), total
+        total = len(plan.corner_sources) + len(plan.edges) + centers
+        return lambda search, rng: lay_nested(search, plan, rng, variants), total
     if method == "ng":
-        return lambda search, rng: lay_ng(search, plan, rng), len(plan.corner_sources) + len(tiles)
+        return lambda search, rng: lay_ng(search, plan, rng, variants), len(plan.corner_sources) + centers
     return lambda search, rng: lay_squares(search, plan, rng), len(plan.corner_sources)
 
 

@@ -1,4 +1,4 @@
-"""The result of texture synthesis: one picture per tile, and where each pixel came from."""
+"""The result of texture synthesis: pictures of each tile, and where each pixel came from."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -11,23 +11,28 @@ from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.showing import Shown, describe, many
 from tilewright.signals.textures.kinds import guess_kind
 from tilewright.tiles import TileSet
+from tilewright.tiles.variants import Variants, check_variants, name_variants
 
 
 @dataclass(frozen=True, eq=False)
 class TextureTiles(Shown):
-    """A texture over a tile set: T tiles of H x W pixels, for one or several maps cut alike.
+    """A texture over a tile set: pictures of H x W pixels, for one or several maps cut alike.
+
+    A tile has one picture or several, its variants, of which any may lie anywhere: their borders are the
+    same. Pictures are rows, the variants of a tile one after another; where every tile has one, row t is
+    tile t.
 
     Attributes
     ----------
     tiles : TileSet
-        What may meet; tile t of every map belongs to row t of ``tiles.slots``.
-    maps : dict of str to array, shape (T, H, W, channels), uint8, uint16 or float32
+        What may meet.
+    maps : dict of str to array, shape (rows, H, W, channels), uint8, uint16 or float32
         The maps of the material in the order given; the first is the main one.
     sources : tuple of dict of str to array, shape (h, w, channels)
         The exemplars: one dict for each source, with the same map names.
-    origins : uint16 array, shape (T, H, W, 3)
-        The source pixel that each tile pixel was copied from: (source number, y, x). By construction
-        ``maps[name][t, i, j] == sources[s][name][y, x]``, but for normals and heights near cuts, which
+    origins : uint16 array, shape (rows, H, W, 3)
+        The source pixel that each pixel was copied from: (source number, y, x). By construction
+        ``maps[name][row, i, j] == sources[s][name][y, x]``, but for normals and heights near cuts, which
         are closed there.
     recipe : dict
         Method, seed, parameters and the places of all patches, plain JSON values: what is needed to make the
@@ -37,11 +42,13 @@ class TextureTiles(Shown):
     kinds : dict of str to str
         What each map holds: ``"color"``, ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
         ``"normal-dx"``; guessed from its name where not given.
+    variants : Variants
+        The rows of each tile and how often each is drawn; one row for each tile by default.
 
     Raises
     ------
     TilewrightValueError
-        No map, maps of different sizes, or another number of pictures than of tiles.
+        No map, maps of different sizes, or another number of pictures than of tiles and their variants.
 
     See Also
     --------
@@ -55,6 +62,7 @@ class TextureTiles(Shown):
     recipe: dict[str, Any] = field(default_factory=dict)
     masks: tuple[NDArray[np.bool_], ...] = ()
     kinds: dict[str, str] = field(default_factory=dict)
+    variants: Variants = None  # type: ignore[assignment]  # set below, for the set at hand
 
     def __post_init__(self) -> None:
         if not self.maps:
@@ -67,17 +75,21 @@ class TextureTiles(Shown):
                 raise shape_error(
                     f"map {name!r}",
                     pixels.shape,
-                    f"(tiles, height, width, channels) with the first three {self.origins.shape[:3]}",
+                    f"(rows, height, width, channels) with the first three {self.origins.shape[:3]}",
                 )
-        if len(self.tiles) != self.origins.shape[0]:
+        given = Variants.uniform(self.tiles) if self.variants is None else self.variants
+        object.__setattr__(self, "variants", check_variants(given, self.tiles))
+        if len(self.variants) != self.origins.shape[0]:
+            several = f" with {len(self.variants)} variants" if len(self.variants) > len(self.tiles) else ""
             raise TilewrightValueError(
-                f"{self.origins.shape[0]} pictures were given for a set of {len(self.tiles)} tiles"
+                f"{self.origins.shape[0]} pictures were given for a set of {len(self.tiles)} tiles{several}"
             )
 
     def __repr__(self) -> str:
         side = self.tile_size
         maps = (f"{name} ({m.dtype}, {many(m.shape[3], 'channel')})" for name, m in self.maps.items())
-        return describe(self, f"{self.tiles!r} of {side} x {side} pixels", *maps)
+        size = f"{self.tiles!r} of {side} x {side} pixels"
+        return describe(self, size, *name_variants(self.variants), *maps)
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
         if len(self.maps) > 1:
@@ -99,7 +111,7 @@ class TextureTiles(Shown):
 
     @property
     def pixels(self) -> NDArray[Any]:
-        """The main map, shape (T, H, W, channels), of its own type."""
+        """The main map, shape (rows, H, W, channels), of its own type."""
         return self.maps[self.main]
 
 
