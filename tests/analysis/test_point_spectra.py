@@ -5,8 +5,7 @@ from math import pi, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from pointsets import BOXES, PLAIN, hexagons, square_grid, white
 from tilewright.analysis.points.plates import DOMAIN, PIXELS, zone_plate, zone_plate_reference

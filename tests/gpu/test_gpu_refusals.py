@@ -11,8 +11,13 @@ import tilewright as tw
 from drawing import drawn
 from handmade import handmade
 from tilewright.errors import GpuError, TilewrightError, TilewrightTypeError, TilewrightValueError
-from tilewright.gpu import GpuField, GpuPicture, OrthographicCamera, PerspectiveCamera
-from tilewright.gpu import device as device_module
+from tilewright.gpu import (
+    GpuField,
+    GpuPicture,
+    OrthographicCamera,
+    PerspectiveCamera,
+    device as device_module,
+)
 from tilewright.gpu.device import open_gpu
 from tilewright.gpu.painter import check_fits
 from tilewright.shaders.assembly import VERTEX, read_part

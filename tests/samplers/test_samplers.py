@@ -8,8 +8,7 @@ from itertools import pairwise
 import numba
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from scipy.spatial import cKDTree
 
 from boxes import (
@@ -28,8 +27,15 @@ from boxes import (
 )
 from tilewright import samplers
 from tilewright.errors import Cancelled, TilewrightError, TilewrightTypeError, TilewrightValueError
-from tilewright.samplers import METHODS, Box, PointSet, max_radius, nearest_distances, sample_points
-from tilewright.samplers import feasibility as asked
+from tilewright.samplers import (
+    METHODS,
+    Box,
+    PointSet,
+    feasibility as asked,
+    max_radius,
+    nearest_distances,
+    sample_points,
+)
 
 # Laws over all methods
 

@@ -11,6 +11,7 @@ from tilewright.tilings.clauses import Clauses, Undecided
 from tilewright.tilings.dappled import (
     Conditions,
     Impossible,
+    closest as closest_module,
     closest_dapple,
     complete_dapple,
     count_dappled,
@@ -20,7 +21,6 @@ from tilewright.tilings.dappled import (
     random_start,
     rectify,
 )
-from tilewright.tilings.dappled import closest as closest_module
 
 PAPER = {"H0": 2, "V1": 2}
 ALL_TWO = {"H0": 2, "H1": 2, "V0": 2, "V1": 2}

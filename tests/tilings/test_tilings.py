@@ -7,8 +7,7 @@ from itertools import product
 import numba
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 import tilewright as tw
 from mixer import mixer

@@ -79,7 +79,7 @@ def command(
         option(help="Second photograph, shown by the upper half of the corner colors; default none."),
     ] = None,
     variants: Annotated[
-        int, option(help="Number of pictures of every tile, 1 to 64; default 1. More show less repetition.")
+        int, option(help="Number of pictures of every tile, 1 to 256; default 1. More show less repetition.")
     ] = 1,
     from_: Annotated[
         Path | None,

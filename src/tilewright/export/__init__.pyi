@@ -3,14 +3,10 @@ from .array import (
 )
 from .atlas import (
     make_atlas as make_atlas,
-)
-from .atlas import (
     save_atlas as save_atlas,
 )
 from .engines import (
     TARGETS as TARGETS,
-)
-from .engines import (
     save_for_engine as save_for_engine,
 )
 from .flow_arrays import (

@@ -6,23 +6,15 @@ from .bricks.field import (
 )
 from .photos.contenders import (
     SideBySide as SideBySide,
-)
-from .photos.contenders import (
     side_by_side as side_by_side,
 )
 from .photos.methods import (
     HexField as HexField,
-)
-from .photos.methods import (
     NoiseField as NoiseField,
-)
-from .photos.methods import (
     RepeatField as RepeatField,
 )
 from .plane import (
     PixelField as PixelField,
-)
-from .plane import (
     PixelMap as PixelMap,
 )
 from .points.field import (

@@ -1,7 +1,5 @@
 from .images import (
     read_image as read_image,
-)
-from .images import (
     write_image as write_image,
 )
 from .map_stack import (
@@ -9,8 +7,6 @@ from .map_stack import (
 )
 from .point_files import (
     read_points as read_points,
-)
-from .point_files import (
     write_points as write_points,
 )
 from .ready import (
@@ -18,13 +14,7 @@ from .ready import (
 )
 from .tileset_folder import (
     load as load,
-)
-from .tileset_folder import (
     load_points as load_points,
-)
-from .tileset_folder import (
     load_texture as load_texture,
-)
-from .tileset_folder import (
     save as save,
 )

@@ -1,7 +1,5 @@
 from .cameras import (
     OrthographicCamera as OrthographicCamera,
-)
-from .cameras import (
     PerspectiveCamera as PerspectiveCamera,
 )
 from .field import (

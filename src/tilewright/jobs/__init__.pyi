@@ -7,17 +7,11 @@ from .export import ExportJob as ExportJob
 from .flow import FlowJob as FlowJob
 from .job import (
     Done as Done,
-)
-from .job import (
     Job as Job,
 )
 from .materials import (
     add_maps as add_maps,
-)
-from .materials import (
     open_exemplar as open_exemplar,
-)
-from .materials import (
     texture_tiles as texture_tiles,
 )
 from .pack import PackJob as PackJob

@@ -9,11 +9,7 @@ from .candidates import (
 )
 from .catalog import (
     METHODS as METHODS,
-)
-from .catalog import (
     Method as Method,
-)
-from .catalog import (
     sample_points as sample_points,
 )
 from .darts import (
@@ -39,11 +35,7 @@ from .point_set import (
 )
 from .radius import (
     max_radius as max_radius,
-)
-from .radius import (
     nearest_distances as nearest_distances,
-)
-from .radius import (
     relative_radius as relative_radius,
 )
 from .relaxation import (
@@ -51,25 +43,13 @@ from .relaxation import (
 )
 from .scallops import (
     scallop_boundary as scallop_boundary,
-)
-from .scallops import (
     scallop_linear as scallop_linear,
-)
-from .scallops import (
     scallop_log as scallop_log,
 )
 from .yardsticks import (
     hexagonal as hexagonal,
-)
-from .yardsticks import (
     jittered as jittered,
-)
-from .yardsticks import (
     regular as regular,
-)
-from .yardsticks import (
     sobol as sobol,
-)
-from .yardsticks import (
     uniform as uniform,
 )

@@ -13,12 +13,11 @@ import numpy as np
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.blocks import drop_idle
-from tilewright.tiles.families import as_wang_tiles
 from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.merging import grouped_subdivision, merge_colors
 from tilewright.tiles.shape import CORNER, WANG
 from tilewright.tiles.tileset import CUSTOM, Family, TileSet
-from tilewright.tiles.translations import as_corner_tiles
+from tilewright.tiles.translations import as_corner_tiles, as_wang_tiles
 
 Table = tuple[tuple[int, int, int, int], ...]
 

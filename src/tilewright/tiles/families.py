@@ -12,7 +12,7 @@ from tilewright.checks import check_choice, check_int
 from tilewright.errors import TilewrightValueError
 from tilewright.tiles.listed import ListedTileSet
 from tilewright.tiles.shape import CORNER, CORNER_CODED, CORNER_CUBE, DOMINO, FREE, WANG, WANG_CUBE, Shape
-from tilewright.tiles.tileset import MOST_COLORS, TileSet, check_colors, check_tiles, decode
+from tilewright.tiles.tileset import MOST_COLORS, TileSet, check_colors, decode
 
 
 def _complete(shape: Shape, radices: tuple[int, ...]) -> TileSet:
@@ -372,51 +372,6 @@ def tile_set(slots: object, shape: str = "wang", *, name: str = "custom") -> Til
     """
     shapes = {s.name: s for s in (DOMINO, WANG, CORNER, CORNER_CODED, WANG_CUBE, CORNER_CUBE, FREE)}
     return ListedTileSet(shapes[check_choice("shape", shape, tuple(shapes))], slots, name=name)  # type: ignore[arg-type]
-
-
-def as_wang_tiles(corners: TileSet) -> TileSet:
-    """Make the Wang set that is equivalent to a corner set.
-
-    An edge has a color for each pair of corner colors that occurs at its ends. The pairs (west, east) on N
-    and S edges are numbered in ascending order, those (north, south) on E and W edges likewise, from 0 on.
-
-    Parameters
-    ----------
-    corners : TileSet
-        Corner tiles.
-
-    Returns
-    -------
-    TileSet
-        As many Wang tiles, in the same order. In a complete set all pairs occur, and the color of an edge
-        whose ends are a and b is a C + b.
-
-    Raises
-    ------
-    TilewrightTypeError
-        Something that is not a tile set.
-    TilewrightValueError
-        The set is not of corner tiles.
-
-    Notes
-    -----
-    Lagae 2007, section 8.4; complete sets in section 2.9.
-    """
-    if check_tiles("corners", corners).shape is not CORNER:
-        raise TilewrightValueError(
-            f"only corner sets have an equivalent Wang set, not {corners.shape.name} ones"
-        )
-    c = max(corners.colors)
-    ne, se, sw, nw = corners.slots.astype(int).T
-    level, n_s = np.unique([nw * c + ne, sw * c + se], return_inverse=True)
-    upright, e_w = np.unique([ne * c + se, nw * c + sw], return_inverse=True)
-    (n, s), (e, w) = n_s.reshape(2, -1), e_w.reshape(2, -1)
-    return ListedTileSet(
-        WANG,
-        np.stack([n, e, s, w], axis=1),
-        (len(level), len(upright)) * 2,
-        f"{corners.name} (from corners)",
-    )
 
 
 def _both(colors: int, vertical_colors: int | None) -> tuple[int, int]:

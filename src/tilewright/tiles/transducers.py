@@ -15,10 +15,9 @@ from numpy.typing import NDArray
 from tilewright.checks import check_int
 from tilewright.errors import TilewrightValueError
 from tilewright.showing import describe_record
-from tilewright.tiles.families import as_wang_tiles
 from tilewright.tiles.shape import CORNER
 from tilewright.tiles.tileset import TileSet, check_tiles
-from tilewright.tiles.translations import count_pairs, join, wang_slots
+from tilewright.tiles.translations import as_wang_tiles, count_pairs, join, wang_slots
 
 _MOST_TRANSITIONS = 4_000_000
 _MOST_ROWS = 64

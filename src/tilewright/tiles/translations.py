@@ -20,6 +20,51 @@ CONSTRUCTIONS = ("diagonal", "horizontal", "vertical", "rotation", "subdivision"
 Colors = NDArray[np.int64]
 
 
+def as_wang_tiles(corners: TileSet) -> TileSet:
+    """Make the Wang set that is equivalent to a corner set.
+
+    An edge has a color for each pair of corner colors that occurs at its ends. The pairs (west, east) on N
+    and S edges are numbered in ascending order, those (north, south) on E and W edges likewise, from 0 on.
+
+    Parameters
+    ----------
+    corners : TileSet
+        Corner tiles.
+
+    Returns
+    -------
+    TileSet
+        As many Wang tiles, in the same order. In a complete set all pairs occur, and the color of an edge
+        whose ends are a and b is a C + b.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Something that is not a tile set.
+    TilewrightValueError
+        The set is not of corner tiles.
+
+    Notes
+    -----
+    Lagae 2007, section 8.4; complete sets in section 2.9.
+    """
+    if check_tiles("corners", corners).shape is not CORNER:
+        raise TilewrightValueError(
+            f"only corner sets have an equivalent Wang set, not {corners.shape.name} ones"
+        )
+    c = max(corners.colors)
+    ne, se, sw, nw = corners.slots.astype(int).T
+    level, n_s = np.unique([nw * c + ne, sw * c + se], return_inverse=True)
+    upright, e_w = np.unique([ne * c + se, nw * c + sw], return_inverse=True)
+    (n, s), (e, w) = n_s.reshape(2, -1), e_w.reshape(2, -1)
+    return ListedTileSet(
+        WANG,
+        np.stack([n, e, s, w], axis=1),
+        (len(level), len(upright)) * 2,
+        f"{corners.name} (from corners)",
+    )
+
+
 def as_corner_tiles(wang: TileSet, construction: str) -> TileSet:
     """Make a corner set from a Wang set by one of five constructions.
 

@@ -1,13 +1,9 @@
 from .density import (
     DensityTiling as DensityTiling,
-)
-from .density import (
     density_tiling as density_tiling,
 )
 from .direct_tiling import (
     DirectTiling as DirectTiling,
-)
-from .direct_tiling import (
     direct as direct,
 )
 from .domain import (
@@ -18,29 +14,19 @@ from .filling import (
 )
 from .hashes import (
     LatticeHash as LatticeHash,
-)
-from .hashes import (
     MixerHash as MixerHash,
 )
 from .packings.closed_form import (
     Packing as Packing,
-)
-from .packings.closed_form import (
     packing as packing,
 )
 from .packings.recursion import (
     extend_packing as extend_packing,
-)
-from .packings.recursion import (
     recursive_packing as recursive_packing,
 )
 from .packings.search import (
     PackingSearch as PackingSearch,
-)
-from .packings.search import (
     count_packings as count_packings,
-)
-from .packings.search import (
     random_packing as random_packing,
 )
 from .packings.symmetries import (
@@ -60,19 +46,11 @@ from .stochastic_tiling import (
 )
 from .table_hashes import (
     LongPeriodHash as LongPeriodHash,
-)
-from .table_hashes import (
     PermutationHash as PermutationHash,
 )
 from .tiling import (
     ArrayTiling as ArrayTiling,
-)
-from .tiling import (
     Tiling as Tiling,
-)
-from .tiling import (
     array_tiling as array_tiling,
-)
-from .tiling import (
     first_mismatch as first_mismatch,
 )

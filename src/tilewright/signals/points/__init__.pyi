@@ -1,7 +1,5 @@
 from .catalog import (
     TILE_METHODS as TILE_METHODS,
-)
-from .catalog import (
     make_point_tiles as make_point_tiles,
 )
 from .point_tiles import (
@@ -9,8 +7,6 @@ from .point_tiles import (
 )
 from .promise import (
     Closeness as Closeness,
-)
-from .promise import (
     find_closeness as find_closeness,
 )
 from .recursion import (
@@ -18,13 +14,9 @@ from .recursion import (
 )
 from .spikes import (
     Spikes as Spikes,
-)
-from .spikes import (
     find_spikes as find_spikes,
 )
 from .synthesis import (
     METHODS as METHODS,
-)
-from .synthesis import (
     poisson_tiles as poisson_tiles,
 )

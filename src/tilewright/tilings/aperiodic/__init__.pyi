@@ -3,7 +3,5 @@ from .endless import (
 )
 from .translated import (
     TranslatedTiling as TranslatedTiling,
-)
-from .translated import (
     translated_tiling as translated_tiling,
 )

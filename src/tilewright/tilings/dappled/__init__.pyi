@@ -1,22 +1,14 @@
 from .closest import (
     Closest as Closest,
-)
-from .closest import (
     closest_dapple as closest_dapple,
 )
 from .completing import (
     Impossible as Impossible,
-)
-from .completing import (
     complete_dapple as complete_dapple,
-)
-from .completing import (
     dapple_formula as dapple_formula,
 )
 from .conditions import (
     Conditions as Conditions,
-)
-from .conditions import (
     find_violations as find_violations,
 )
 from .counting import (
@@ -27,14 +19,10 @@ from .dappling import (
 )
 from .endless import (
     EndlessDappledTiling as EndlessDappledTiling,
-)
-from .endless import (
     endless_dappled_tiling as endless_dappled_tiling,
 )
 from .starts import (
     random_start as random_start,
-)
-from .starts import (
     start_from_image as start_from_image,
 )
 from .surgery import (
