@@ -1,24 +1,23 @@
 """The arrays of a flow as a file for other programs."""
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from tilewright.errors import TilewrightTypeError
-from tilewright.files.atomic import whole_file
+from tilewright.checks import check_type
+from tilewright.files.atomic import AnyPath, whole_file
 from tilewright.flows import Flow
 
 _ARRAYS = ("cells", "torus", "times", "positions", "ways", "departures", "born", "killed", "left")
 _COLUMNS = ("ways", "speed", "emits", "kills")
 
 
-def save_flow(path: str | Path, flow: Flow) -> None:
+def save_flow(path: AnyPath, flow: Flow) -> None:
     """Write all arrays of a flow to a .npz file.
 
     Parameters
     ----------
-    path : path-like
+    path : str or path-like
         ``FILE.npz``; it appears whole or not at all.
     flow : Flow
         The arrays keep the names of its attributes; the tiles are the columns ``tile_ways``, ``tile_speed``,
@@ -31,8 +30,7 @@ def save_flow(path: str | Path, flow: Flow) -> None:
     TilewrightFileError
         The file cannot be written.
     """
-    if not isinstance(flow, Flow):
-        raise TilewrightTypeError(f"flow must be a Flow, not {type(flow).__name__}")
+    check_type("flow", flow, Flow, "a Flow")
     arrays: dict[str, Any] = {
         f"tile_{name}": np.array([getattr(tile, name) for tile in flow.tiles]) for name in _COLUMNS
     }
