@@ -111,27 +111,14 @@ def test_few_candidates_are_as_good_as_all():
 
     start = samplers.uniform(400, seed=3).points
     points = np.concatenate([start, np.empty((1, 2))])
-    grid = candidates._sort_points(TORUS, points, 400, 401)
-    cells = candidates._find_far(TORUS, grid, 400, 800)
+    cells, gaps = candidates._sort_points(TORUS, points, 400, 401)
+    far = candidates._find_far(TORUS, cells, gaps, 400, 800)
     won = []
     for seed in range(1500):
-        live, places = cells[2].copy(), cells[3].copy()
-        heads, after = grid[1].copy(), grid[2].copy()
+        left = far._replace(live=far.live.copy(), places=far.places.copy())
+        filled = cells._replace(heads=cells.heads.copy(), after=cells.after.copy())
         _, placed, _, hits = add_farthest(
-            make_key(seed),
-            0,
-            2,
-            400,
-            401,
-            0,
-            *cells[:2],
-            live,
-            places,
-            *cells[4:],
-            points,
-            heads,
-            after,
-            *grid[3:],
+            make_key(seed), 0, 2, 400, 401, 0, len(far.live), left, filled, gaps
         )
         assert placed == 401
         assert hits < 300
@@ -149,14 +136,14 @@ def test_no_place_that_counts_is_lost():
     from tilewright.samplers import candidates
 
     points = np.concatenate([sample_points("best-candidate", 400).points, np.empty((30, 2))])
-    grid = candidates._sort_points(TORUS, points, 400, 430)
-    threshold, spread, live, places, living, sizes, around = candidates._find_far(TORUS, grid, 400, 1000)
-    cells = threshold, spread, live, places, living, sizes, around
-    *_, living, _ = add_farthest(make_key(1), 0, 2, 400, 430, 0, *cells, *grid)
+    cells, gaps = candidates._sort_points(TORUS, points, 400, 430)
+    far = candidates._find_far(TORUS, cells, gaps, 400, 1000)
+    live, places, sizes = far.live, far.places, far.sizes
+    *_, living, _ = add_farthest(make_key(1), 0, 2, 400, 430, 0, len(live), far, cells, gaps)
     assert living < len(live)
     assert np.array_equal(np.sort(np.flatnonzero(places >= 0)), np.sort(live[:living]))
     seen = np.random.default_rng(2).random((200_000, 2))
-    far = cKDTree(points, boxsize=1).query(seen)[0] > threshold
+    far = cKDTree(points, boxsize=1).query(seen)[0] > far.threshold
     assert far.any()
     column, row = (seen[far] * sizes).astype(int).T
     assert (places[column * sizes[1] + row] >= 0).all()
@@ -229,30 +216,25 @@ def free_share(points: np.ndarray, box: Box, near: float, far: float = np.inf) -
 @pytest.mark.parametrize("box", [TORUS, PLAIN, LONG], ids=["torus", "plain", "long"])
 @pytest.mark.parametrize("placed", [1, 2, 3, 10, 40])
 def test_jones_knows_the_free_area(box, placed):
-    from tilewright.kernels.gaps import fill_gaps
+    from tilewright.kernels.gaps import Diagram, fill_gaps
 
     distance, most, extent = 2 * 0.7 * max_radius(60, box), 60, np.array(box.extent)
     points, rows, tree = np.empty((most, 2)), np.empty((8, 3)), np.zeros(128)
-    starts, corners, room = np.zeros((3, most), np.int64)
-    key = make_key(3)
-    got, *_ = fill_gaps(
-        key, 0, 0, placed, distance, extent, box.torus, points, rows, 0, starts, corners, room, tree
-    )
+    diagram = Diagram(points, extent, box.torus, *np.zeros((3, most), np.int64), tree)
+    got, *_ = fill_gaps(make_key(3), 0, 0, placed, distance, diagram, rows, 0)
     assert got == placed
     assert tree[1] / box.volume == pytest.approx(free_share(points[:placed], box, distance), abs=2e-3)
 
 
 def test_jones_draws_evenly_from_a_gap():
     """One point, a cell of the whole torus: the next one is anywhere outside the disk."""
-    from tilewright.kernels.gaps import fill_gaps
+    from tilewright.kernels.gaps import Diagram, fill_gaps
 
     seen = np.empty((4000, 2))
     for seed in range(len(seen)):
         points, rows, tree = np.empty((2, 2)), np.empty((16, 3)), np.zeros(4)
-        starts, corners, room = np.zeros((3, 2), np.int64)
-        fill_gaps(
-            make_key(seed), 0, 0, 2, 0.15, np.ones(2), True, points, rows, 0, starts, corners, room, tree
-        )
+        diagram = Diagram(points, np.ones(2), True, *np.zeros((3, 2), np.int64), tree)
+        fill_gaps(make_key(seed), 0, 0, 2, 0.15, diagram, rows, 0)
         seen[seed] = (points[1] - points[0] + 0.5) % 1
     rng = np.random.default_rng(0).random((400_000, 2))
     even = rng[np.linalg.norm(rng - 0.5, axis=1) > 0.15]
@@ -330,17 +312,14 @@ def test_draws_from_scalloped_sectors_are_even():
 @pytest.mark.parametrize("placed", [1, 2, 5, 40])
 def test_rings_of_scalloped_sectors_do_not_overlap(box, placed):
     """Their area is that of all places between one and two distances from the nearest point."""
-    from tilewright.kernels.scallops import grow_by_area
+    from tilewright.kernels.scallops import Regions, grow_by_area
     from tilewright.samplers.grid import Grid
 
-    distance, extent = 2 * 0.7 * max_radius(60, box), np.array(box.extent)
-    grid = Grid.of(box, 60, distance, reach=4 * distance, images=True)
+    distance = 2 * 0.7 * max_radius(60, box)
     points, rows, tree = np.empty((60, 2)), np.empty((8, 11)), np.zeros(128)
-    starts, sizes, room = np.zeros((3, 60), np.int64)
-    got, *_ = grow_by_area(
-        make_key(1), 0, placed, distance, points, grid.heads, grid.after, grid.counts, extent, box.torus,
-        grid.offsets, rows, 0, starts, sizes, room, tree,
-    )  # fmt: skip
+    cells = Grid.of(box, 60, distance, reach=4 * distance, images=True).over(points)
+    regions = Regions(*np.zeros((3, 60), np.int64), tree)
+    got, *_ = grow_by_area(make_key(1), 0, placed, distance, cells, rows, 0, regions)
     assert got == placed
     share = free_share(points[:placed], box, distance, 2 * distance)
     assert tree[1] * distance**2 / box.volume == pytest.approx(share, abs=4e-3)

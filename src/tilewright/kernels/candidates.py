@@ -2,36 +2,55 @@
 
 Of n candidates nearly all are near a point and lose. Where they may be farther from all points than some
 distance is kept as a list of small cells; only candidates in those are drawn, as many as would have fallen
-there. Names of the grid of points as in `darts`; gaps : float64 (m,), squared distances of the cells at
-``offsets``.
+there. gaps : float64 (m,), squared distances of the cells at ``cells.offsets``.
 """
 
+from typing import NamedTuple
+
 import numpy as np
+from numpy.typing import NDArray
 
 from tilewright.kernels.chance import draw_unit
 from tilewright.kernels.compiled import kernel
 from tilewright.kernels.darts import find_cell, find_home, find_square, place
 
 
-@kernel()
-def find_nearest(point, home, enough, placed, points, heads, after, counts, extent, torus, offsets, gaps):
+class Far(NamedTuple):
+    """Small cells that may have places far enough from all points to count."""
+
+    threshold: float
+    """What the distance of such places is at least, or -1 where all places count."""
+    spread: float
+    """From the middle of a small cell to a corner."""
+    live: NDArray[np.int32]
+    """Numbers of these cells, in C order; those that still count come first."""
+    places: NDArray[np.int32]
+    """(prod(sizes),): where in ``live`` each cell is, or -1."""
+    sizes: NDArray[np.int64]
+    """(d,): small cells along each axis."""
+    around: NDArray[np.int64]
+    """(m, d): offsets to the small cells that a new point may take off the list."""
+
+
+@kernel(inline=True)
+def find_nearest(point, home, enough, placed, cells, gaps):
     """Squared distance to the nearest of the points, or any that is no more than ``enough``."""
     nearest = np.inf
-    for k in range(offsets.shape[0]):
+    for k in range(cells.offsets.shape[0]):
         if gaps[k] >= nearest:
             return nearest
-        cell = find_cell(home, offsets, k, counts, torus)
+        cell = find_cell(home, cells.offsets, k, cells.counts, cells.torus)
         if cell < 0:
             continue
-        i = heads[cell]
+        i = cells.heads[cell]
         while i >= 0:
-            nearest = min(nearest, find_square(point, points, i, extent, torus))
+            nearest = min(nearest, find_square(point, cells.points, i, cells.extent, cells.torus))
             if nearest <= enough:
                 return nearest
-            i = after[i]
+            i = cells.after[i]
     # Farther than the grid looks around: ask them all.
     for i in range(placed):
-        nearest = min(nearest, find_square(point, points, i, extent, torus))
+        nearest = min(nearest, find_square(point, cells.points, i, cells.extent, cells.torus))
     return nearest
 
 
@@ -45,31 +64,25 @@ def find_corner(cell, sizes, extent, corner):
 
 
 @kernel()
-def measure_cells(sizes, placed, points, heads, after, counts, extent, torus, offsets, gaps, distances):
+def measure_cells(sizes, placed, cells, gaps, distances):
     """Distance from the middle of every small cell to the nearest point.
 
     sizes : int64 (d,), small cells along each axis. distances : float64 (prod(sizes),), filled.
     """
-    d = extent.size
+    d, extent = cells.extent.size, cells.extent
     middle, home = np.empty(d), np.empty(d, np.int64)
     for cell in range(distances.size):
         find_corner(cell, sizes, extent, middle)
         for a in range(d):
             middle[a] += 0.5 * extent[a] / sizes[a]
-        find_home(middle, counts, extent, home)
-        distances[cell] = np.sqrt(
-            find_nearest(
-                middle, home, -1.0, placed, points, heads, after, counts, extent, torus, offsets, gaps
-            )
-        )
+        find_home(middle, cells.counts, extent, home)
+        distances[cell] = np.sqrt(find_nearest(middle, home, -1.0, placed, cells, gaps))
 
 
 @kernel()
-def drop_cells(point, threshold, spread, live, places, living, sizes, around, extent, torus):
-    """Take the cells off the list that lie within ``threshold`` of a new point; how many are left.
-
-    spread : from the middle of a cell to a corner. around : int64 (m, d), offsets to such cells.
-    """
+def drop_cells(point, far, living, extent, torus):
+    """Take the cells off the list that lie within the threshold of a new point; how many are left."""
+    threshold, spread, live, places, sizes, around = far
     d = extent.size
     home, corner = np.empty(d, np.int64), np.empty(d)
     find_home(point, sizes, extent, home)
@@ -108,24 +121,20 @@ def draw_candidate(key, drawn, threshold, live, living, sizes, extent, dart):
 
 
 @kernel()
-def add_farthest(
-    key, drawn, multiple, placed, last, few, threshold, spread, live, places, living, sizes, around,
-    points, heads, after, counts, extent, torus, offsets, gaps,
-):  # fmt: skip
+def add_farthest(key, drawn, multiple, placed, last, few, living, far, cells, gaps):
     """Place points up to ``last``, each the farthest from all before of so many candidates as there are
     points before, times ``multiple``.
 
-    threshold : what the distance is at least of places that count, or -1 for all. live : int32, cells that
-    may have such places, ``living`` of them; places : int32 (prod(sizes),), where in it each cell is, or -1.
+    living : how many of the cells in ``far.live`` still count; the list is kept up.
     Stops after fewer than ``few`` candidates that count, or before placing one if there was none. Returns
     how many numbers were drawn, the points placed, the cells left and the candidates that counted.
     """
-    d = extent.size
+    d, extent, threshold = cells.extent.size, cells.extent, far.threshold
     dart, best, home = np.empty(d), np.empty(d), np.empty(d, np.int64)
     hits = few
     while placed < last and hits >= few:
         candidates = max(multiple * placed, 1)
-        rarity = np.log1p(-living / places.size) if threshold >= 0 else 0.0
+        rarity = np.log1p(-living / far.places.size) if threshold >= 0 else 0.0
         farthest, hits, c = -1.0, 0, 0
         while True:
             if threshold >= 0:  # candidates that fall elsewhere: so many before the next one
@@ -134,20 +143,18 @@ def add_farthest(
             if c >= candidates:
                 break
             c += 1
-            drawn = draw_candidate(key, drawn, threshold, live, living, sizes, extent, dart)
-            find_home(dart, counts, extent, home)
+            drawn = draw_candidate(key, drawn, threshold, far.live, living, far.sizes, extent, dart)
+            find_home(dart, cells.counts, extent, home)
             enough = threshold * threshold if threshold >= 0 else farthest
-            square = find_nearest(
-                dart, home, enough, placed, points, heads, after, counts, extent, torus, offsets, gaps
-            )
+            square = find_nearest(dart, home, enough, placed, cells, gaps)
             hits += square > enough or threshold < 0
             if square > farthest:
                 farthest = square
                 best[:] = dart
         if hits == 0:
             break
-        place(best, find_home(best, counts, extent, home), placed, points, heads, after)
+        place(best, find_home(best, cells.counts, extent, home), placed, cells)
         placed += 1
         if threshold >= 0:
-            living = drop_cells(best, threshold, spread, live, places, living, sizes, around, extent, torus)
+            living = drop_cells(best, far, living, extent, cells.torus)
     return drawn, placed, living, hits

@@ -1,15 +1,35 @@
 """Darts that stay where no point is near, looked up on a grid, in any dimension.
 
-points : float64 (n, d). heads : int32, C-ordered, a point of each cell or -1; after : int32 (n,), for each
-point the next of its cell or -1. counts : int64 (d,), cells along each axis. extent : float64 (d,), size of
-the box. offsets : int64 (m, d), cells to look at around a cell, nearest first. home : int64 (d,), scratch.
+home : int64 (d,), the cell of a point along each axis, scratch.
 """
 
+from typing import NamedTuple
+
 import numpy as np
+from numpy.typing import NDArray
 
 from tilewright.kernels.chance import draw_unit, draw_word
 from tilewright.kernels.compiled import kernel
 from tilewright.kernels.polygons import put_inside
+
+
+class Cells(NamedTuple):
+    """A box or torus cut into cells, and the points that lie in each."""
+
+    points: NDArray[np.float64]
+    """(n, d), of which kernels fill row after row."""
+    heads: NDArray[np.int32]
+    """(prod(counts),), in C order: a point of each cell, or -1."""
+    after: NDArray[np.int32]
+    """(n,): for each point the next of its cell, or -1."""
+    counts: NDArray[np.int64]
+    """(d,): cells along each axis."""
+    offsets: NDArray[np.int64]
+    """(m, d): cells to look at around a cell, nearest first."""
+    extent: NDArray[np.float64]
+    """(d,): size of the box."""
+    torus: bool
+    """Whether opposite sides meet."""
 
 
 @kernel(inline=True)
@@ -49,81 +69,78 @@ def find_square(point, points, i, extent, torus):
 
 
 @kernel(inline=True)
-def is_free(point, home, points, heads, after, counts, extent, torus, offsets, least):
+def is_free(point, home, cells, least):
     """Whether no point is closer to ``point``, in cell ``home``, than the square root of ``least``."""
-    for k in range(offsets.shape[0]):
-        cell = find_cell(home, offsets, k, counts, torus)
+    for k in range(cells.offsets.shape[0]):
+        cell = find_cell(home, cells.offsets, k, cells.counts, cells.torus)
         if cell < 0:
             continue
-        i = heads[cell]
+        i = cells.heads[cell]
         while i >= 0:
-            if find_square(point, points, i, extent, torus) < least:
+            if find_square(point, cells.points, i, cells.extent, cells.torus) < least:
                 return False
-            i = after[i]
+            i = cells.after[i]
     return True
 
 
 @kernel(inline=True)
-def place(point, cell, i, points, heads, after):
+def place(point, cell, i, cells):
     """Make ``point`` the point i, in its cell."""
     for a in range(point.size):
-        points[i, a] = point[a]
-    after[i] = heads[cell]
-    heads[cell] = i
+        cells.points[i, a] = point[a]
+    cells.after[i] = cells.heads[cell]
+    cells.heads[cell] = i
 
 
 @kernel()
-def fill_grid(points, placed, heads, after, counts, extent):
-    """Put the first ``placed`` points into the cells of an empty grid."""
-    home = np.empty(extent.size, np.int64)
+def fill_cells(placed, cells):
+    """Put the first ``placed`` points into the cells, which are empty."""
+    home = np.empty(cells.extent.size, np.int64)
     for i in range(placed):
-        cell = find_home(points[i], counts, extent, home)
-        after[i] = heads[cell]
-        heads[cell] = i
+        cell = find_home(cells.points[i], cells.counts, cells.extent, home)
+        cells.after[i] = cells.heads[cell]
+        cells.heads[cell] = i
 
 
 @kernel()
-def throw_darts(key, darts, thrown, placed, distance, extent, torus, counts, offsets, points, heads, after):
+def throw_darts(key, darts, thrown, placed, distance, cells):
     """Throw up to ``darts`` more darts; return how many were thrown and how many points there are.
 
     A dart stays if no point is closer than ``distance`` (Cook 1986). thrown, placed : what earlier calls
-    came to. points and the grid are filled on.
+    came to. The cells are filled on.
     """
-    d = extent.size
+    d = cells.extent.size
     dart, home = np.empty(d), np.empty(d, np.int64)
     least = distance * distance
     last = thrown + darts
-    while thrown < last and placed < points.shape[0]:
+    while thrown < last and placed < cells.points.shape[0]:
         for a in range(d):
-            dart[a] = draw_unit(key, thrown * d + a) * extent[a]
+            dart[a] = draw_unit(key, thrown * d + a) * cells.extent[a]
         thrown += 1
-        cell = find_home(dart, counts, extent, home)
-        if is_free(dart, home, points, heads, after, counts, extent, torus, offsets, least):
-            place(dart, cell, placed, points, heads, after)
+        cell = find_home(dart, cells.counts, cells.extent, home)
+        if is_free(dart, home, cells, least):
+            place(dart, cell, placed, cells)
             placed += 1
     return thrown, placed
 
 
 @kernel()
-def relax_darts(
-    key, darts, thrown, placed, missed, distance, floor, factor, patience,
-    extent, torus, counts, offsets, points, heads, after,
-):  # fmt: skip
+def relax_darts(key, darts, thrown, placed, missed, distance, floor, factor, patience, cells):
     """Darts as in `throw_darts` whose distance shrinks by ``factor`` after ``patience`` misses in a row
     (McCool & Fiume 1992); return darts thrown, points placed, misses in a row and the distance.
 
-    Stops once the distance is below ``floor``, for which the grid is made.
+    Stops once the distance is below ``floor``, for which the cells are made.
     """
-    d = extent.size
+    d = cells.extent.size
     dart, home = np.empty(d), np.empty(d, np.int64)
     last = thrown + darts
-    while thrown < last and placed < points.shape[0] and distance >= floor:
+    while thrown < last and placed < cells.points.shape[0] and distance >= floor:
         for a in range(d):
-            dart[a] = draw_unit(key, thrown * d + a) * extent[a]
+            dart[a] = draw_unit(key, thrown * d + a) * cells.extent[a]
         thrown += 1
-        cell = find_home(dart, counts, extent, home)
-        if is_free(dart, home, points, heads, after, counts, extent, torus, offsets, distance * distance):
-            place(dart, cell, placed, points, heads, after)
+        cell = find_home(dart, cells.counts, cells.extent, home)
+        if is_free(dart, home, cells, distance * distance):
+            place(dart, cell, placed, cells)
             placed += 1
             missed = 0
         else:
@@ -156,22 +173,19 @@ def draw_around(key, drawn, center, distance, extent, torus, dart):
 
 
 @kernel()
-def grow_around(
-    key, drawn, placed, last, waiting, active, tries, distance, extent, torus, counts, offsets,
-    points, heads, after,
-):  # fmt: skip
+def grow_around(key, drawn, placed, last, waiting, active, tries, distance, cells):
     """Throw darts around points until none waits or there are ``last``.
 
     A point waits until ``tries`` darts in a row have found no room around it. active : int32 (n,), the points
-    that wait. points and the grid are filled on. Returns how many numbers were drawn, the points placed and
-    how many wait.
+    that wait. The cells are filled on. Returns how many numbers were drawn, the points placed and how many
+    wait.
     """
-    d = extent.size
+    d, extent = cells.extent.size, cells.extent
     dart, home = np.empty(d), np.empty(d, np.int64)
     if placed == 0:
         for a in range(d):
             dart[a] = draw_unit(key, a) * extent[a]
-        place(dart, find_home(dart, counts, extent, home), 0, points, heads, after)
+        place(dart, find_home(dart, cells.counts, extent, home), 0, cells)
         active[0] = 0
         drawn, placed, waiting = d, 1, 1
     while waiting > 0 and placed < last:
@@ -179,12 +193,13 @@ def grow_around(
         drawn += 1
         found = False
         for _ in range(tries):
-            inside, drawn = draw_around(key, drawn, points[active[at]], distance, extent, torus, dart)
+            center = cells.points[active[at]]
+            inside, drawn = draw_around(key, drawn, center, distance, extent, cells.torus, dart)
             if not inside:
                 continue
-            cell = find_home(dart, counts, extent, home)
-            if is_free(dart, home, points, heads, after, counts, extent, torus, offsets, distance * distance):
-                place(dart, cell, placed, points, heads, after)
+            cell = find_home(dart, cells.counts, extent, home)
+            if is_free(dart, home, cells, distance * distance):
+                place(dart, cell, placed, cells)
                 active[waiting] = placed
                 placed, waiting, found = placed + 1, waiting + 1, True
                 break

@@ -1,19 +1,46 @@
-"""Taking the most crowded points away, one by one (Yuksel 2015), in any dimension.
+"""Taking the most crowded points away, one by one (Yuksel 2015), in any dimension."""
 
-points : float64 (n, d), sorted by cell of a grid; starts : int64, where each cell begins; counts : int64
-(d,), cells along each axis; offsets : int64 (m, d), cells to look at around a cell; extent : float64 (d,).
-"""
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tilewright.kernels.compiled import kernel
 from tilewright.kernels.darts import find_cell, find_home, find_square
 
 
+class Sorted(NamedTuple):
+    """Points of a box or torus, sorted by the cell in which they lie."""
+
+    points: NDArray[np.float64]
+    """(n, d)"""
+    starts: NDArray[np.int64]
+    """(prod(counts) + 1,): where each cell begins."""
+    counts: NDArray[np.int64]
+    """(d,): cells along each axis."""
+    offsets: NDArray[np.int64]
+    """(m, d): cells to look at around a cell."""
+    extent: NDArray[np.float64]
+    """(d,): size of the box."""
+    torus: bool
+    """Whether opposite sides meet."""
+
+
+class Crowding(NamedTuple):
+    """How much two points crowd each other (Yuksel 2015)."""
+
+    reach: float
+    """Distance from which on they do not: 2 r_max."""
+    least: float
+    """Distance below which nearer does not count for more: 2 r_min."""
+    power: float
+    """Alpha: how steeply the weight falls with the distance."""
+
+
 @kernel()
-def weigh_pair(square, reach, least, power):
-    """How much two points crowd each other: 1 for touching ones down to 0 at ``reach``."""
-    return (1.0 - max(np.sqrt(square), least) / reach) ** power
+def weigh_pair(square, crowding):
+    """How much two points crowd each other: 1 for touching ones down to 0 at the reach."""
+    return (1.0 - max(np.sqrt(square), crowding.least) / crowding.reach) ** crowding.power
 
 
 @kernel()
@@ -34,8 +61,9 @@ def sink(heap, places, weights, at, size):
 
 
 @kernel()
-def weigh_points(points, starts, counts, offsets, extent, torus, reach, least, power, weights):
-    """The weight of every point: that of its pairs with all points closer than ``reach``."""
+def weigh_points(there, crowding, weights):
+    """The weight of every point: that of its pairs with all points within reach."""
+    points, starts, counts, offsets, extent, torus = there
     home = np.empty(extent.size, np.int64)
     for i in range(points.shape[0]):
         find_home(points[i], counts, extent, home)
@@ -46,8 +74,8 @@ def weigh_points(points, starts, counts, offsets, extent, torus, reach, least, p
                 continue
             for j in range(starts[cell], starts[cell + 1]):
                 square = find_square(points[i], points, j, extent, torus)
-                if j != i and square < reach * reach:
-                    weights[i] += weigh_pair(square, reach, least, power)
+                if j != i and square < crowding.reach * crowding.reach:
+                    weights[i] += weigh_pair(square, crowding)
 
 
 @kernel()
@@ -61,14 +89,13 @@ def start_heap(weights, heap, places):
 
 
 @kernel()
-def eliminate(
-    points, starts, counts, offsets, extent, torus, reach, least, power, weights, heap, places, size, last
-):  # fmt: skip
+def eliminate(there, crowding, weights, heap, places, size, last):
     """Take the heaviest points away until ``last`` are left of ``size``; those around them get lighter.
 
     weights : float64 (n,); heap, places : int32 (n,), as made by `start_heap`. What is taken away is left in
     heap[last:size], the first one at the end.
     """
+    points, starts, counts, offsets, extent, torus = there
     home = np.empty(extent.size, np.int64)
     while size > last:
         i = heap[0]
@@ -86,6 +113,6 @@ def eliminate(
                 if places[j] < 0:
                     continue
                 square = find_square(points[i], points, j, extent, torus)
-                if square < reach * reach:
-                    weights[j] -= weigh_pair(square, reach, least, power)
+                if square < crowding.reach * crowding.reach:
+                    weights[j] -= weigh_pair(square, crowding)
                     sink(heap, places, weights, places[j], size)

@@ -1,11 +1,15 @@
 """What disks leave free in the Voronoi cells of their centers, and darts that always hit it (Jones 2006).
 
-A cell is nearer to its own point than to any other, so only the disk of that point covers any of it. Cells
-are stored in rows[starts[i] : starts[i] + corners[i]], the edges numbered 9 neighbor + 3 (lap_x + 1) +
-lap_y + 1 for the image of the neighbor that many times around a torus, or -1 at a wall.
+A cell is nearer to its own point than to any other, so only the disk of that point covers any of it. Corners
+of cells are rows of float64 (any, 3), x and y as seen from the point and the edge that follows, numbered
+9 neighbor + 3 (lap_x + 1) + lap_y + 1 for the image of the neighbor that many times around a torus, or -1 at
+a wall. The table grows, so it goes in and comes back beside the diagram.
 """
 
+from typing import NamedTuple
+
 import numpy as np
+from numpy.typing import NDArray
 
 from tilewright.kernels.chance import draw_unit
 from tilewright.kernels.compiled import kernel
@@ -14,6 +18,25 @@ from tilewright.kernels.weights import CLOSE, STEPS, choose_leaf, set_weight, st
 
 _NOTHING = 1e-12
 """Free area, in squares of the distance, that counts as none: rounding errors make as much."""
+
+
+class Diagram(NamedTuple):
+    """Points of a box or torus, and where the corners of their Voronoi cells are."""
+
+    points: NDArray[np.float64]
+    """(n, 2), filled row after row."""
+    extent: NDArray[np.float64]
+    """(2,): width and height of the box."""
+    torus: bool
+    """Whether opposite sides meet."""
+    starts: NDArray[np.int64]
+    """(n,): the row of each cell's first corner."""
+    corners: NDArray[np.int64]
+    """(n,): how many it has."""
+    room: NDArray[np.int64]
+    """(n,): rows set aside for it; zero at first."""
+    tree: NDArray[np.float64]
+    """Free area of each cell, see `weights`."""
 
 
 @kernel()
@@ -108,7 +131,7 @@ def draw_free(rows, start, corners, square, amount, chance):
 
 
 @kernel()
-def find_cut_cells(owner, x, y, points, extent, rows, starts, corners, found):
+def find_cut_cells(owner, x, y, diagram, rows, found):
     """The cells and their images that a new point cuts, from neighbor to neighbor, beginning at ``owner``.
 
     x, y : the new point, as seen from the owner. found : float64 (room, 5), filled with index, laps around
@@ -118,7 +141,7 @@ def find_cut_cells(owner, x, y, points, extent, rows, starts, corners, found):
     count, at = 1, 0
     while at < count:
         i = np.int64(found[at, 0])
-        for k in range(starts[i], starts[i] + corners[i]):
+        for k in range(diagram.starts[i], diagram.starts[i] + diagram.corners[i]):
             number = np.int64(rows[k, 2])
             if number < 0:
                 continue
@@ -128,12 +151,12 @@ def find_cut_cells(owner, x, y, points, extent, rows, starts, corners, found):
             known = False
             for m in range(count):
                 known = known or (found[m, 0] == j and found[m, 1] == lap_x and found[m, 2] == lap_y)
-            dx = points[owner, 0] + x - points[j, 0] - lap_x * extent[0]
-            dy = points[owner, 1] + y - points[j, 1] - lap_y * extent[1]
+            dx = diagram.points[owner, 0] + x - diagram.points[j, 0] - lap_x * diagram.extent[0]
+            dy = diagram.points[owner, 1] + y - diagram.points[j, 1] - lap_y * diagram.extent[1]
             # An image farther away than once around lies behind a nearer one.
-            if known or abs(dx) > extent[0] or abs(dy) > extent[1]:
+            if known or abs(dx) > diagram.extent[0] or abs(dy) > diagram.extent[1]:
                 continue
-            if is_cut(rows[starts[j] :], corners[j], dx, dy):
+            if is_cut(rows[diagram.starts[j] :], diagram.corners[j], dx, dy):
                 found = enlarge(found, count + 1)
                 found[count, 0], found[count, 1], found[count, 2] = j, lap_x, lap_y
                 found[count, 3], found[count, 4] = dx, dy
@@ -158,31 +181,30 @@ def store_cell(i, cell, count, rows, used, starts, corners, room):
 
 
 @kernel()
-def add_first(x, y, extent, torus, square, points, rows, starts, corners, room, tree):
+def add_first(x, y, square, diagram, rows):
     """Make the cell of the first point."""
-    points[0, 0], points[0, 1] = x, y
+    diagram.points[0, 0], diagram.points[0, 1] = x, y
     walls = np.full(4, -1.0)
-    if torus:
+    if diagram.torus:
         walls[0], walls[1] = number_edge(0, 0, -1), number_edge(0, 1, 0)
         walls[2], walls[3] = number_edge(0, 0, 1), number_edge(0, -1, 0)
     cell = np.empty((4, 3))
-    start_cell(x, y, extent, torus, walls, cell)
-    rows, used = store_cell(0, cell, 4, rows, 0, starts, corners, room)
-    set_weight(tree, 0, measure_free(rows, starts[0], 4, square))
+    start_cell(x, y, diagram.extent, diagram.torus, walls, cell)
+    rows, used = store_cell(0, cell, 4, rows, 0, diagram.starts, diagram.corners, diagram.room)
+    set_weight(diagram.tree, 0, measure_free(rows, diagram.starts[0], 4, square))
     return rows, used
 
 
 @kernel()
-def add_point(
-    n, owner, x, y, extent, torus, square, points, rows, used, starts, corners, room, tree, found, cell, spare
-):  # fmt: skip
+def add_point(n, owner, x, y, square, diagram, rows, used, found, cell, spare):
     """Make the n-th point, at (x, y) as seen from ``owner``, in whose cell it lies; cut the cells around it.
 
     Returns rows, how many are used, and the scratches found, cell and spare, all of which may have grown.
     """
+    points, extent, torus, starts, corners, room, tree = diagram
     points[n, 0] = put_inside(points[owner, 0] + x, extent[0], torus)
     points[n, 1] = put_inside(points[owner, 1] + y, extent[1], torus)
-    count, found = find_cut_cells(owner, x, y, points, extent, rows, starts, corners, found)
+    count, found = find_cut_cells(owner, x, y, diagram, rows, found)
     # Laps between where the point was found and where it is stored.
     home_x = np.int64(np.rint((points[owner, 0] + x - points[n, 0]) / extent[0]))
     home_y = np.int64(np.rint((points[owner, 1] + y - points[n, 1]) / extent[1]))
@@ -197,7 +219,12 @@ def add_point(
         # The cell of i loses what is nearer to the new point.
         spare = enlarge(spare, corners[i] + 1)
         cut = cut_cell(
-            rows[starts[i] :], corners[i], found[m, 3], found[m, 4], number_edge(n, -lap_x, -lap_y), spare
+            rows[starts[i] :],
+            corners[i],
+            found[m, 3],
+            found[m, 4],
+            number_edge(n, -lap_x, -lap_y),
+            spare,
         )
         rows, used = store_cell(i, spare, cut, rows, used, starts, corners, room)
         # The new cell loses what is nearer to i.
@@ -213,28 +240,26 @@ def add_point(
 
 
 @kernel()
-def fill_gaps(
-    key, first, placed, last, distance, extent, torus, points, rows, used, starts, corners, room, tree
-):  # fmt: skip
+def fill_gaps(key, first, placed, last, distance, diagram, rows, used):
     """Throw darts into the free area until there are ``last`` points or none is left.
 
-    first : numbers of the key drawn before. points : float64 (n, 2). rows : float64 (any, 3), as above, of
-    which ``used`` are taken. starts, corners, room : int64 (n,), room beginning with zeros. tree : free area
-    of each cell. Returns the points placed, rows, which may have grown, and how many of them are used.
+    first : numbers of the key drawn before. diagram : `Diagram`, filled on. rows : of which ``used`` are
+    taken. Returns the points placed, rows, which may have grown, and how many of them are used.
     """
     square = distance * distance
+    extent, tree = diagram.extent, diagram.tree
     found, cell, spare = np.empty((64, 5)), np.empty((64, 3)), np.empty((64, 3))
     if placed == 0:
         x, y = draw_unit(key, first) * extent[0], draw_unit(key, first + 1) * extent[1]
-        rows, used = add_first(x, y, extent, torus, square, points, rows, starts, corners, room, tree)
+        rows, used = add_first(x, y, square, diagram, rows)
         placed = 1
     while placed < last and tree[1] > 0:
         counter = first + 2 * placed
         i, amount = choose_leaf(tree, draw_unit(key, counter) * tree[1])
-        x, y = draw_free(rows, starts[i], corners[i], square, amount, draw_unit(key, counter + 1))
+        start, corners, chance = diagram.starts[i], diagram.corners[i], draw_unit(key, counter + 1)
+        x, y = draw_free(rows, start, corners, square, amount, chance)
         rows, used, found, cell, spare = add_point(
-            placed, i, x, y, extent, torus, square, points, rows, used, starts, corners, room, tree,
-            found, cell, spare,
-        )  # fmt: skip
+            placed, i, x, y, square, diagram, rows, used, found, cell, spare
+        )
         placed += 1
     return placed, rows, used

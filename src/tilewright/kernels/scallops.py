@@ -1,10 +1,13 @@
 """Growing points around points: the three samplers of Dunbar & Humphreys (2006).
 
-Names of the grid as in `darts`; its offsets go to images on a torus one by one. Lengths in ``near`` and in
-sectors are in units of the least distance.
+cells : `Cells` whose offsets go to images on a torus one by one. Lengths in ``near`` and in sectors are in
+units of the least distance.
 """
 
+from typing import NamedTuple
+
 import numpy as np
+from numpy.typing import NDArray
 
 from tilewright.kernels.chance import draw_unit, draw_word
 from tilewright.kernels.compiled import kernel
@@ -23,12 +26,26 @@ _THIN = 1e-9
 """Radians that count as none."""
 
 
+class Regions(NamedTuple):
+    """Where the sectors of each point lie among rows of them, and the area of each point's."""
+
+    starts: NDArray[np.int64]
+    """(n,): the first row."""
+    sizes: NDArray[np.int64]
+    """(n,): rows in use."""
+    room: NDArray[np.int64]
+    """(n,): rows set aside; zero at first."""
+    tree: NDArray[np.float64]
+    """Areas, see `weights`."""
+
+
 @kernel()
-def find_near(i, reach, distance, points, heads, after, counts, extent, torus, offsets, near):
+def find_near(i, reach, distance, cells, near):
     """The images of points closer to point i than ``reach``, its own too, nearest cells first.
 
     near : float64 (room, 3), filled with index and place as seen from i; returned after their number.
     """
+    points, _, after, counts, offsets, extent, torus = cells
     home = np.empty(2, np.int64)
     find_home(points[i], counts, extent, home)
     count = 0
@@ -37,7 +54,7 @@ def find_near(i, reach, distance, points, heads, after, counts, extent, torus, o
         lap_x, lap_y = column // counts[0], row // counts[1]
         if not torus and (lap_x != 0 or lap_y != 0):
             continue
-        j = heads[(column - lap_x * counts[0]) * counts[1] + row - lap_y * counts[1]]
+        j = cells.heads[(column - lap_x * counts[0]) * counts[1] + row - lap_y * counts[1]]
         while j >= 0:
             x = (points[j, 0] + lap_x * extent[0] - points[i, 0]) / distance
             y = (points[j, 1] + lap_y * extent[1] - points[i, 1]) / distance
@@ -50,45 +67,45 @@ def find_near(i, reach, distance, points, heads, after, counts, extent, torus, o
 
 
 @kernel()
-def add_point(n, i, x, y, distance, points, heads, after, counts, extent, torus):
+def add_point(n, i, x, y, distance, cells):
     """Make the point n at (x, y) as seen from point i, or from the corner of the box where i is -1."""
     point, home = np.empty(2), np.empty(2, np.int64)
     for a in range(2):
         seen = (x if a == 0 else y) * distance
-        point[a] = put_inside(seen + (points[i, a] if i >= 0 else 0.0), extent[a], torus)
-    place(point, find_home(point, counts, extent, home), n, points, heads, after)
+        origin = cells.points[i, a] if i >= 0 else 0.0
+        point[a] = put_inside(seen + origin, cells.extent[a], cells.torus)
+    place(point, find_home(point, cells.counts, cells.extent, home), n, cells)
 
 
 @kernel()
-def add_first(key, distance, points, heads, after, counts, extent, torus):
+def add_first(key, distance, cells):
     """Make the first point, anywhere."""
+    extent = cells.extent
     x, y = draw_unit(key, 0) * extent[0] / distance, draw_unit(key, 1) * extent[1] / distance
-    add_point(0, -1, x, y, distance, points, heads, after, counts, extent, torus)
+    add_point(0, -1, x, y, distance, cells)
 
 
 @kernel()
-def store_region(i, sectors, count, rows, used, starts, sizes, room, tree):
+def store_region(i, sectors, count, rows, used, regions):
     """Write the sectors of point i, at the end if they have outgrown their place, and weigh them."""
-    if count > room[i]:
-        room[i] = count + count // 2
-        starts[i] = used
-        used += room[i]
+    if count > regions.room[i]:
+        regions.room[i] = count + count // 2
+        regions.starts[i] = used
+        used += regions.room[i]
         rows = enlarge(rows, used)
-    rows[starts[i] : starts[i] + count] = sectors[:count]
-    sizes[i] = count
-    set_weight(tree, i, sum_areas(sectors, count))
+    first = regions.starts[i]
+    rows[first : first + count] = sectors[:count]
+    regions.sizes[i] = count
+    set_weight(regions.tree, i, sum_areas(sectors, count))
     return rows, used
 
 
 @kernel()
-def open_region(
-    n, distance, points, heads, after, counts, extent, torus, offsets, near, sectors, spare,
-    rows, used, starts, sizes, room, tree,
-):  # fmt: skip
+def open_region(n, distance, cells, near, sectors, spare, rows, used, regions):
     """Give the new point n the part of its ring that is in no ring or disk of an earlier one, and take its
     disk from the earlier ones' parts. Returns the scratches, rows and used."""
-    found, near = find_near(n, 4.0, distance, points, heads, after, counts, extent, torus, offsets, near)
-    count = start_ring(points[n], extent, distance, torus, sectors)
+    found, near = find_near(n, 4.0, distance, cells, near)
+    count = start_ring(cells.points[n], cells.extent, distance, cells.torus, sectors)
     for k in range(found):
         x, y = near[k, 1], near[k, 2]
         # Of two images of itself, one counts as the earlier.
@@ -96,41 +113,37 @@ def open_region(
         count, sectors, spare = subtract_from_all(sectors, count, x, y, 2.0 if earlier else 1.0, spare)
         if count == 0:
             break
-    rows, used = store_region(n, sectors, count, rows, used, starts, sizes, room, tree)
+    rows, used = store_region(n, sectors, count, rows, used, regions)
     for k in range(found):
         i, x, y = np.int64(near[k, 0]), near[k, 1], near[k, 2]
-        if i != n and sizes[i] > 0 and x * x + y * y < 9.0:
-            count, spare, _ = subtract_from_all(rows[starts[i] :], sizes[i], -x, -y, 1.0, spare)
-            rows, used = store_region(i, spare, count, rows, used, starts, sizes, room, tree)
+        if i != n and regions.sizes[i] > 0 and x * x + y * y < 9.0:
+            own = rows[regions.starts[i] :]
+            count, spare, _ = subtract_from_all(own, regions.sizes[i], -x, -y, 1.0, spare)
+            rows, used = store_region(i, spare, count, rows, used, regions)
     return near, sectors, spare, rows, used
 
 
 @kernel()
-def grow_by_area(
-    key, placed, last, distance, points, heads, after, counts, extent, torus, offsets,
-    rows, used, starts, sizes, room, tree,
-):  # fmt: skip
+def grow_by_area(key, placed, last, distance, cells, rows, used, regions):
     """Place points anywhere in the rings, all places equally likely, up to ``last`` or until none is left.
 
-    points : float64 (n, 2) and the grid, filled on. rows : float64 (any, 11), sectors, of which ``used`` are
-    taken, starts, sizes, room : int64 (n,), where those of each point are. tree : their area. Returns the
-    points placed, rows, which may have grown, and how many are used.
+    The cells are filled on. rows : float64 (any, 11), sectors, of which ``used`` are taken. regions :
+    `Regions`, filled on. Returns the points placed, rows, which may have grown, and how many are used.
     """
     near, sectors, spare = np.empty((64, 3)), np.empty((64, FIELDS)), np.empty((64, FIELDS))
     if placed == 0:
-        add_first(key, distance, points, heads, after, counts, extent, torus)
+        add_first(key, distance, cells)
     while placed < last:
         if placed > 0:
-            if tree[1] <= 0:
+            if regions.tree[1] <= 0:
                 break
-            i, amount = choose_leaf(tree, draw_unit(key, 2 * placed) * tree[1])
+            i, amount = choose_leaf(regions.tree, draw_unit(key, 2 * placed) * regions.tree[1])
             chance = draw_unit(key, 2 * placed + 1)
-            x, y = draw_from_sectors(rows[starts[i] :], sizes[i], amount, chance)
-            add_point(placed, i, x, y, distance, points, heads, after, counts, extent, torus)
+            x, y = draw_from_sectors(rows[regions.starts[i] :], regions.sizes[i], amount, chance)
+            add_point(placed, i, x, y, distance, cells)
         near, sectors, spare, rows, used = open_region(
-            placed, distance, points, heads, after, counts, extent, torus, offsets, near, sectors, spare,
-            rows, used, starts, sizes, room, tree,
-        )  # fmt: skip
+            placed, distance, cells, near, sectors, spare, rows, used, regions
+        )
         placed += 1
     return placed, rows, used
 
@@ -152,28 +165,25 @@ def count_laps(distance, extent, torus, laps):
 
 
 @kernel()
-def grow_by_turns(
-    key, drawn, placed, last, waiting, active, distance, points, heads, after, counts, extent, torus, offsets,
-    done,
-):  # fmt: skip
+def grow_by_turns(key, drawn, placed, last, waiting, active, distance, cells, done):
     """Take points in turn and fill the ring of each, up to ``last`` points or until none waits.
 
-    active : int32 (n,), the points that wait. done : bool (n,), whose rings are full. points and the grid
-    are filled on. Returns how many numbers were drawn, the points placed and how many wait.
+    active : int32 (n,), the points that wait. done : bool (n,), whose rings are full. The cells are filled
+    on. Returns how many numbers were drawn, the points placed and how many wait.
     """
     near, sectors, spare = np.empty((64, 3)), np.empty((64, FIELDS)), np.empty((64, FIELDS))
-    laps = np.empty(2, np.int64)
-    count_laps(distance, extent, torus, laps)
+    extent, laps = cells.extent, np.empty(2, np.int64)
+    count_laps(distance, extent, cells.torus, laps)
     if placed == 0:
-        add_first(key, distance, points, heads, after, counts, extent, torus)
+        add_first(key, distance, cells)
         active[0] = 0
         drawn, placed, waiting = 2, 1, 1
     while waiting > 0 and placed < last:
         i = take_any(key, drawn, active, waiting)
         drawn += 1
         waiting -= 1
-        found, near = find_near(i, 4.0, distance, points, heads, after, counts, extent, torus, offsets, near)
-        count = start_ring(points[i], extent, distance, torus, sectors)
+        found, near = find_near(i, 4.0, distance, cells, near)
+        count = start_ring(cells.points[i], extent, distance, cells.torus, sectors)
         for k in range(found):
             r = 2.0 if done[np.int64(near[k, 0])] else 1.0
             count, sectors, spare = subtract_from_all(sectors, count, near[k, 1], near[k, 2], r, spare)
@@ -183,7 +193,7 @@ def grow_by_turns(
             amount = draw_unit(key, drawn) * sum_areas(sectors, count)
             x, y = draw_from_sectors(sectors, count, amount, draw_unit(key, drawn + 1))
             drawn += 2
-            add_point(placed, i, x, y, distance, points, heads, after, counts, extent, torus)
+            add_point(placed, i, x, y, distance, cells)
             active[waiting] = placed
             placed, waiting = placed + 1, waiting + 1
             for lap_x in range(-laps[0], laps[0] + 1):
@@ -226,18 +236,16 @@ def block_point(ranges, count, x, y, spare):
 
 
 @kernel()
-def grow_by_touch(
-    key, drawn, placed, last, waiting, active, distance, points, heads, after, counts, extent, torus, offsets
-):  # fmt: skip
+def grow_by_touch(key, drawn, placed, last, waiting, active, distance, cells):
     """Take points in turn and put others around each that touch it, as many as there is room for.
 
     As `grow_by_turns`; the room is ranges of directions.
     """
     near, ranges, spare = np.empty((64, 3)), np.empty((64, 2)), np.empty((64, 2))
-    laps = np.empty(2, np.int64)
-    count_laps(distance, extent, torus, laps)
+    extent, laps = cells.extent, np.empty(2, np.int64)
+    count_laps(distance, extent, cells.torus, laps)
     if placed == 0:
-        add_first(key, distance, points, heads, after, counts, extent, torus)
+        add_first(key, distance, cells)
         active[0] = 0
         drawn, placed, waiting = 2, 1, 1
     while waiting > 0 and placed < last:
@@ -246,14 +254,15 @@ def grow_by_touch(
         waiting -= 1
         ranges[0, 0], ranges[0, 1] = 0.0, 2 * np.pi
         count = 1
-        if not torus:
+        if not cells.torus:
             for a in range(2):
                 for ahead in range(2):
-                    wall = (extent[a] - points[i, a] if ahead else points[i, a]) / distance
+                    at = cells.points[i, a]
+                    wall = (extent[a] - at if ahead else at) / distance
                     if wall < 1:
                         middle = 0.5 * np.pi * a + (0.0 if ahead else np.pi)
                         count, ranges, spare = block_angles(ranges, count, middle, np.arccos(wall), spare)
-        found, near = find_near(i, 2.0, distance, points, heads, after, counts, extent, torus, offsets, near)
+        found, near = find_near(i, 2.0, distance, cells, near)
         for k in range(found):
             count, ranges, spare = block_point(ranges, count, near[k, 1], near[k, 2], spare)
         while count > 0:
@@ -261,7 +270,7 @@ def grow_by_touch(
             angle = ranges[k, 0] + draw_unit(key, drawn + 1) * (ranges[k, 1] - ranges[k, 0])
             drawn += 2
             x, y = np.cos(angle), np.sin(angle)
-            add_point(placed, i, x, y, distance, points, heads, after, counts, extent, torus)
+            add_point(placed, i, x, y, distance, cells)
             active[waiting] = placed
             placed, waiting = placed + 1, waiting + 1
             for lap_x in range(-laps[0], laps[0] + 1):

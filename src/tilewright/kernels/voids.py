@@ -1,7 +1,7 @@
 """Ever smaller cells of a grid that still may have room, in any dimension (Ebeida et al. 2012).
 
 Active cells are int64 rows of coordinates at a level: those of the grid's cells, each halved along every
-axis ``level`` times. Names of the grid as in `darts`; its own cells hold one point at most.
+axis ``level`` times. cells : `Cells`, which hold one point at most.
 """
 
 import numpy as np
@@ -22,53 +22,51 @@ def find_base(active, i, level, counts, home):
 
 
 @kernel()
-def throw_at_cells(
-    key, first, darts, placed, active, level, distance, extent, torus, counts, offsets, points, heads, after
-):  # fmt: skip
+def throw_at_cells(key, first, darts, placed, active, level, distance, cells):
     """Throw darts at active cells, each as likely; the number of points there are then.
 
-    first : number of the key to begin with; every dart draws 1 + d. points and the grid are filled on.
+    first : number of the key to begin with; every dart draws 1 + d. The cells are filled on.
     """
-    d = extent.size
+    d, counts, extent = cells.extent.size, cells.counts, cells.extent
     dart, home = np.empty(d), np.empty(d, np.int64)
     for k in range(darts):
-        if placed == points.shape[0]:
+        if placed == cells.points.shape[0]:
             break
         counter = first + k * (d + 1)
         i = np.int64(draw_unit(key, counter) * active.shape[0])
         cell = find_base(active, i, level, counts, home)
-        if heads[cell] >= 0:
+        if cells.heads[cell] >= 0:
             continue
         for a in range(d):
             at = (active[i, a] + draw_unit(key, counter + 1 + a)) / np.float64(counts[a] << level)
             dart[a] = min(at * extent[a], np.nextafter(extent[a], 0.0))
-        if is_free(dart, home, points, heads, after, counts, extent, torus, offsets, distance * distance):
-            place(dart, cell, placed, points, heads, after)
+        if is_free(dart, home, cells, distance * distance):
+            place(dart, cell, placed, cells)
             placed += 1
     return placed
 
 
 @kernel(inline=True)
-def is_covered(middle, half, home, points, heads, counts, extent, torus, offsets, least):
+def is_covered(middle, half, home, cells, least):
     """Whether one disk covers a box of sizes 2 ``half``, in the grid's cell ``home``, whole."""
-    for k in range(offsets.shape[0]):
+    for k in range(cells.offsets.shape[0]):
         cell = np.int64(0)
         outside = False
-        for a in range(extent.size):
-            at = home[a] + offsets[k, a]
-            if at < 0 or at >= counts[a]:
-                outside = not torus
-                at %= counts[a]
-            cell = cell * counts[a] + at
+        for a in range(cells.extent.size):
+            at = home[a] + cells.offsets[k, a]
+            if at < 0 or at >= cells.counts[a]:
+                outside = not cells.torus
+                at %= cells.counts[a]
+            cell = cell * cells.counts[a] + at
             if outside:
                 break
-        if outside or heads[cell] < 0:
+        if outside or cells.heads[cell] < 0:
             continue
         farthest = 0.0
-        for a in range(extent.size):
-            gap = abs(points[heads[cell], a] - middle[a])
-            if torus:
-                gap = min(gap, extent[a] - gap)
+        for a in range(cells.extent.size):
+            gap = abs(cells.points[cells.heads[cell], a] - middle[a])
+            if cells.torus:
+                gap = min(gap, cells.extent[a] - gap)
             farthest += (gap + half[a]) * (gap + half[a])
         if farthest <= least:
             return True
@@ -76,25 +74,23 @@ def is_covered(middle, half, home, points, heads, counts, extent, torus, offsets
 
 
 @kernel()
-def split_cells(active, level, distance, extent, torus, counts, offsets, points, heads, out):
+def split_cells(active, level, distance, cells, out):
     """Halve active cells along every axis and keep the parts not covered by any one disk; their number.
 
     out : int64 (2^d n, d), filled with cells of the next level.
     """
-    d = extent.size
+    d = cells.extent.size
     home, middle, half = np.empty(d, np.int64), np.empty(d), np.empty(d)
     for a in range(d):
-        half[a] = 0.5 * extent[a] / np.float64(counts[a] << (level + 1))
+        half[a] = 0.5 * cells.extent[a] / np.float64(cells.counts[a] << (level + 1))
     left = 0
     for i in range(active.shape[0]):
-        if heads[find_base(active, i, level, counts, home)] >= 0:
+        if cells.heads[find_base(active, i, level, cells.counts, home)] >= 0:
             continue
         for part in range(1 << d):
             for a in range(d):
                 out[left, a] = 2 * active[i, a] + ((part >> a) & 1)
                 middle[a] = (2 * out[left, a] + 1) * half[a]
-            if not is_covered(
-                middle, half, home, points, heads, counts, extent, torus, offsets, distance * distance
-            ):
+            if not is_covered(middle, half, home, cells, distance * distance):
                 left += 1
     return left

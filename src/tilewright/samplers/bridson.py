@@ -67,15 +67,15 @@ def bridson_darts(
     distance = about_distance("bridson", n, rho, domain)
     from tilewright.kernels.darts import grow_around
 
-    key, extent, most = make_key(seed), np.array(domain.extent), most_points(distance, domain, 100)
+    key, most = make_key(seed), most_points(distance, domain, 100)
     points, active = np.empty((most, domain.dimension)), np.empty(most, np.int32)
-    grid = Grid.of(domain, most, distance)
+    cells = Grid.of(domain, most, distance).over(points)
     drawn = placed = waiting = 0
     while placed == 0 or waiting > 0:
         if progress is not None:
             progress(min(placed, n), n, "growing")
+        last = min(most, placed + _BATCH)
         drawn, placed, waiting = grow_around(
-            key, drawn, placed, min(most, placed + _BATCH), waiting, active, patience, distance, extent,
-            domain.torus, grid.counts, grid.offsets, points, grid.heads, grid.after,
-        )  # fmt: skip
+            key, drawn, placed, last, waiting, active, patience, distance, cells
+        )
     return PointSet(points[:placed].copy(), domain, "bridson", distance)

@@ -1,6 +1,6 @@
 """The best of many candidates: each point as far as can be found from those before (Mitchell 1991)."""
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,10 @@ from tilewright.samplers.feasibility import check_box, check_count
 from tilewright.samplers.grid import Grid, coarsen, look_around
 from tilewright.samplers.point_set import PointSet
 from tilewright.seeds import Seed, make_key
+
+if TYPE_CHECKING:
+    from tilewright.kernels.candidates import Far
+    from tilewright.kernels.darts import Cells
 
 _CELLS_EACH = 64.0
 """Small cells for each point, of which those far from all points are known."""
@@ -78,54 +82,56 @@ def best_candidate(
     while placed < n:
         if placed == size:  # a new grid whenever there are twice as many points
             size = min(n, max(8, 2 * placed))
-            grid = _sort_points(domain, points, placed, size)
+            cells, gaps = _sort_points(domain, points, placed, size)
         # If no candidate was in the running, the next point is the best of all of them.
         everywhere = hits == 0
         last = placed + 1 if everywhere else size
         candidates = 0 if everywhere else times * placed
-        threshold, spread, live, places, living, sizes, around = _find_far(domain, grid, placed, candidates)
+        far = _find_far(domain, cells, gaps, placed, candidates)
+        living = len(far.live)
         hits = _FEW
         while placed < last and hits >= _FEW:
             if progress is not None:
                 progress(placed, n, "trying candidates")
+            until = min(last, placed + _BATCH)
             drawn, placed, living, hits = add_farthest(
-                key, drawn, times, placed, min(last, placed + _BATCH), _FEW, threshold, spread, live, places,
-                living, sizes, around, *grid,
-            )  # fmt: skip
+                key, drawn, times, placed, until, _FEW, living, far, cells, gaps
+            )
     return PointSet(points, domain, "best-candidate")
 
 
-def _sort_points(box: Box, points: NDArray[np.float64], placed: int, size: int) -> tuple[Any, ...]:
-    """A grid for up to ``size`` points that holds those placed, as the kernels take it."""
-    from tilewright.kernels.darts import fill_grid
+def _sort_points(
+    box: Box, points: NDArray[np.float64], placed: int, size: int
+) -> "tuple[Cells, NDArray[np.float64]]":
+    """Cells for up to ``size`` points that hold those placed, and their squared distances from each other."""
+    from tilewright.kernels.darts import fill_cells
 
-    side, extent = coarsen(box, 0.0, size), np.array(box.extent)
+    side = coarsen(box, 0.0, size)
     grid = Grid.of(box, size, side * box.dimension**0.5, reach=_STEPS * side)
-    fill_grid(points, placed, grid.heads, grid.after, grid.counts, extent)
-    return points, grid.heads, grid.after, grid.counts, extent, box.torus, grid.offsets, grid.gaps
+    cells = grid.over(points)
+    fill_cells(placed, cells)
+    return cells, grid.gaps
 
 
-def _find_far(box: Box, grid: tuple[Any, ...], placed: int, candidates: int) -> tuple[Any, ...]:
+def _find_far(box: Box, cells: "Cells", gaps: NDArray[np.float64], placed: int, candidates: int) -> "Far":
     """The small cells that may have places far from all points, far enough for some of the candidates only.
 
-    The answer is what the kernel takes: the least distance that counts, from the middle of a cell to its
-    corners, the cells, their places in that list, how many they are, the number of cells along each axis and
-    the offsets to those that a point may take off the list. Where there are few candidates all count.
+    Where there are few candidates all places count.
     """
-    from tilewright.kernels.candidates import measure_cells
+    from tilewright.kernels.candidates import Far, measure_cells
 
     if candidates <= 2 * _MANY:
         none, around = np.empty(0, np.int32), np.empty((0, box.dimension), np.int64)
-        return -1.0, 0.0, none, none, 0, np.ones(box.dimension, np.int64), around
+        return Far(-1.0, 0.0, none, none, np.ones(box.dimension, np.int64), around)
     side = coarsen(box, 0.0, _CELLS_EACH * placed)
     sizes = np.array([max(1, int(e / side)) for e in box.extent])
     spread = float(np.linalg.norm(box.extent / sizes)) / 2
     distances = np.empty(sizes.prod())
-    measure_cells(sizes, placed, *grid, distances)
+    measure_cells(sizes, placed, cells, gaps, distances)
     near = len(distances) - max(1, len(distances) * _MANY // candidates)
     threshold = float(np.partition(distances, near - 1)[near - 1])
     live = np.flatnonzero(distances + spread > threshold).astype(np.int32)
     places = np.full(len(distances), -1, np.int32)
     places[live] = np.arange(len(live))
     around, _ = look_around(box, sizes.tolist(), threshold)
-    return threshold, spread, live, places, len(live), sizes, around
+    return Far(threshold, spread, live, places, sizes, around)

@@ -61,9 +61,8 @@ def dart_throwing(
     distance = check_distance(rho, n, domain)
     from tilewright.kernels.darts import throw_darts
 
-    key, extent = make_key(seed), np.array(domain.extent)
-    points = np.empty((n, domain.dimension))
-    grid = Grid.of(domain, n, distance)
+    key, points = make_key(seed), np.empty((n, domain.dimension))
+    cells = Grid.of(domain, n, distance).over(points)
     thrown = placed = best = full = 0
     while placed < n:
         if progress is not None:
@@ -72,9 +71,6 @@ def dart_throwing(
             best, full, placed = max(best, placed), thrown, 0
             if thrown >= _PATIENCE * max(n, SMALL):
                 raise too_full(rho, best, n, domain.dimension, "Lloyd's method goes higher in planes")
-            grid.heads.fill(-1)
-        thrown, placed = throw_darts(
-            key, min(_BATCH, _PATIENCE * n), thrown, placed, distance, extent, domain.torus,
-            grid.counts, grid.offsets, points, grid.heads, grid.after,
-        )  # fmt: skip
+            cells.heads.fill(-1)
+        thrown, placed = throw_darts(key, min(_BATCH, _PATIENCE * n), thrown, placed, distance, cells)
     return PointSet(points, domain, "dart", distance, {"darts": thrown})

@@ -96,22 +96,21 @@ def _eliminate(
     points: NDArray[np.float64], kept: NDArray[np.int64], n: int, box: Box, progress: Progress | None
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Of the points ``kept``, the indices of n and of those taken away, the last one first."""
-    from tilewright.kernels.elimination import eliminate, start_heap, weigh_points
+    from tilewright.kernels.elimination import Crowding, Sorted, eliminate, start_heap, weigh_points
 
     m = len(kept)
     reach = 2 * max_radius(n, box)
     least = reach * _LIMIT * (1 - (n / m) ** _LIMIT_POWER)
     bins = Bins.of(points[kept], box, reach, 1.0)
     offsets, _ = look_around(box, bins.counts.tolist(), reach)
-    plane = (
-        points[kept][bins.order], bins.starts, bins.counts, offsets, np.array(box.extent), box.torus,
-        reach, least, _POWER,
-    )  # fmt: skip
+    extent = np.array(box.extent)
+    there = Sorted(points[kept][bins.order], bins.starts, bins.counts, offsets, extent, box.torus)
+    crowding = Crowding(reach, least, _POWER)
     weights, heap, places = np.empty(m), np.empty(m, np.int32), np.empty(m, np.int32)
-    weigh_points(*plane, weights)
+    weigh_points(there, crowding, weights)
     start_heap(weights, heap, places)
     for size in range(m, n, -_BATCH):
         if progress is not None:
             progress(m - size, m - n, "eliminating points")
-        eliminate(*plane, weights, heap, places, size, max(n, size - _BATCH))
+        eliminate(there, crowding, weights, heap, places, size, max(n, size - _BATCH))
     return np.sort(kept[bins.order[heap[:n]]]), kept[bins.order[heap[n:]]]

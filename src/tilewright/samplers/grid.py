@@ -3,12 +3,16 @@
 from dataclasses import dataclass
 from itertools import product
 from math import ceil, sqrt
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.samplers.box import Box
 from tilewright.samplers.feasibility import check_memory
+
+if TYPE_CHECKING:
+    from tilewright.kernels.darts import Cells
 
 _CELLS_EACH = 8
 """Cells for each point beyond which a finer grid finds nothing faster."""
@@ -20,6 +24,8 @@ class Grid:
 
     Attributes
     ----------
+    box : Box
+        What is cut into cells.
     counts : int64 array, shape (d,)
         Cells along each axis.
     offsets : int64 array, shape (m, d)
@@ -32,6 +38,7 @@ class Grid:
         For each point, the next one in its cell, or -1.
     """
 
+    box: Box
     counts: NDArray[np.int64]
     offsets: NDArray[np.int64]
     gaps: NDArray[np.float64]
@@ -40,9 +47,15 @@ class Grid:
 
     @classmethod
     def of(
-        cls, box: Box, count: int, distance: float, *, reach: float | None = None, fine: bool = False,
+        cls,
+        box: Box,
+        count: int,
+        distance: float,
+        *,
+        reach: float | None = None,
+        fine: bool = False,
         images: bool = False,
-    ) -> "Grid":  # fmt: skip
+    ) -> "Grid":
         """An empty grid for up to ``count`` points.
 
         Parameters
@@ -66,7 +79,14 @@ class Grid:
         counts = [ceil(e / side) for e in box.extent]
         offsets, gaps = look_around(box, counts, distance if reach is None else reach, images)
         heads, after = np.full(int(cells), -1, np.int32), np.full(count, -1, np.int32)
-        return cls(np.array(counts, np.int64), offsets, gaps, heads, after)
+        return cls(box, np.array(counts, np.int64), offsets, gaps, heads, after)
+
+    def over(self, points: NDArray[np.float64]) -> "Cells":
+        """The cells as kernels take them, for ``points``, shape (n, d), which they hold or will hold."""
+        from tilewright.kernels.darts import Cells
+
+        extent = np.array(self.box.extent)
+        return Cells(points, self.heads, self.after, self.counts, self.offsets, extent, self.box.torus)
 
 
 @dataclass(frozen=True, eq=False)

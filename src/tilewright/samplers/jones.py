@@ -63,22 +63,20 @@ def jones_darts(
     """
     domain = check_box(box, plane="the method of Jones")
     n = check_count(count, _BYTES_EACH)
-    from tilewright.kernels.gaps import fill_gaps
+    from tilewright.kernels.gaps import Diagram, fill_gaps
 
     key, extent = make_key(seed), np.array(domain.extent)
 
     def run(distance: float, most: int, first: int) -> tuple[NDArray[np.float64], bool]:
         points, rows = np.empty((most, 2)), np.empty((9 * n + 64, 3))
-        starts, corners, room = np.zeros((3, most), np.int64)
         tree = np.zeros(2 << (most - 1).bit_length())
+        diagram = Diagram(points, extent, domain.torus, *np.zeros((3, most), np.int64), tree)
         placed = used = 0
         while placed == 0 or (placed < most and tree[1] > 0):
             if progress is not None:
                 progress(min(placed, n), n, "filling gaps")
-            placed, rows, used = fill_gaps(
-                key, first, placed, min(most, placed + _BATCH), distance, extent, domain.torus,
-                points, rows, used, starts, corners, room, tree,
-            )  # fmt: skip
+            last = min(most, placed + _BATCH)
+            placed, rows, used = fill_gaps(key, first, placed, last, distance, diagram, rows, used)
         return points[:placed].copy(), bool(tree[1] == 0)
 
     return fill("jones", n, rho, domain, _BYTES_EACH, run)

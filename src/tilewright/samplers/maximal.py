@@ -77,27 +77,21 @@ def maximal_darts(
         return PointSet(easy.points, domain, "maximal", easy.distance, {"maximal": False})
     from tilewright.kernels.voids import split_cells, throw_at_cells
 
-    key, extent, d = make_key(seed), np.array(domain.extent), domain.dimension
+    key, d = make_key(seed), domain.dimension
 
     def run(distance: float, most: int, first: int) -> tuple[NDArray[np.float64], bool]:
         points = np.empty((most, d))
-        grid = Grid.of(domain, most, distance, fine=True)
-        active = np.stack(np.unravel_index(np.arange(len(grid.heads)), tuple(grid.counts)), axis=1)
+        cells = Grid.of(domain, most, distance, fine=True).over(points)
+        active = np.stack(np.unravel_index(np.arange(len(cells.heads)), tuple(cells.counts)), axis=1)
         placed, level = 0, 0
         while len(active) and placed < most and level <= _DEEPEST:
             if progress is not None:
                 progress(min(placed, n), n, "filling gaps")
             darts = ceil(_DARTS_EACH * len(active))
-            placed = throw_at_cells(
-                key, first, darts, placed, active, level, distance, extent, domain.torus,
-                grid.counts, grid.offsets, points, grid.heads, grid.after,
-            )  # fmt: skip
+            placed = throw_at_cells(key, first, darts, placed, active, level, distance, cells)
             first += darts * (d + 1)
             parts = np.empty((len(active) << d, d), np.int64)
-            left = split_cells(
-                active, level, distance, extent, domain.torus,
-                grid.counts, grid.offsets, points, grid.heads, parts,
-            )  # fmt: skip
+            left = split_cells(active, level, distance, cells, parts)
             active, level = parts[:left].copy(), level + 1
         return points[:placed].copy(), len(active) == 0 or level > _DEEPEST
 

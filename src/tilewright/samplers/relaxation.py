@@ -77,21 +77,19 @@ def relaxation_darts(
     distance = 0.3 * size if radius is None else 2 * check_real("radius", radius, 1e-9 * size, 1e9 * size)
     if domain.torus:
         distance = min(distance, *domain.extent)
-    from tilewright.kernels.darts import fill_grid, relax_darts
+    from tilewright.kernels.darts import fill_cells, relax_darts
 
-    key, extent = make_key(seed), np.array(domain.extent)
-    points = np.empty((n, domain.dimension))
+    key, points = make_key(seed), np.empty((n, domain.dimension))
     thrown = placed = missed = 0
     while placed < n:
         # A grid for distances between the present one and a little less.
         floor = distance * _STEP
-        grid = Grid.of(domain, n, floor, reach=distance)
-        fill_grid(points, placed, grid.heads, grid.after, grid.counts, extent)
+        cells = Grid.of(domain, n, floor, reach=distance).over(points)
+        fill_cells(placed, cells)
         while placed < n and distance >= floor:
             if progress is not None:
                 progress(placed, n, "throwing darts")
             thrown, placed, missed, distance = relax_darts(
-                key, _BATCH, thrown, placed, missed, distance, floor, shrink, patience, extent, domain.torus,
-                grid.counts, grid.offsets, points, grid.heads, grid.after,
-            )  # fmt: skip
+                key, _BATCH, thrown, placed, missed, distance, floor, shrink, patience, cells
+            )
     return PointSet(points, domain, "relaxation", distance, {"darts": thrown})

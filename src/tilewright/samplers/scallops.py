@@ -64,19 +64,19 @@ def scallop_log(
     -----
     Dunbar & Humphreys 2006; Lagae 2007, section 6.13.
     """
-    from tilewright.kernels.scallops import grow_by_area
+    from tilewright.kernels.scallops import Regions, grow_by_area
     from tilewright.kernels.sectors import FIELDS
 
     grown = _Growth(count, rho, "scallop-log", 1000, seed, box, 4.0)
     rows = np.empty((2 * grown.most + 64, FIELDS))
-    starts, sizes, room = np.zeros((3, grown.most), np.int64)
     tree = np.zeros(2 << (grown.most - 1).bit_length())
+    regions = Regions(*np.zeros((3, grown.most), np.int64), tree)
     placed = used = 0
     while placed == 0 or tree[1] > 0:
         grown.report(progress, placed)
         last = min(grown.most, placed + _BATCH)
         placed, rows, used = grow_by_area(
-            grown.key, placed, last, *grown.plane, rows, used, starts, sizes, room, tree
+            grown.key, placed, last, grown.distance, grown.cells, rows, used, regions
         )
     return grown.answer(placed)
 
@@ -195,10 +195,7 @@ class _Growth:
         self.most = most_points(self.distance, self.box, bytes_each)
         self.points = np.empty((self.most, 2))
         grid = Grid.of(self.box, self.most, self.distance, reach=reach * self.distance, images=True)
-        self.plane = (
-            self.distance, self.points, grid.heads, grid.after, grid.counts, np.array(self.box.extent),
-            self.box.torus, grid.offsets,
-        )  # fmt: skip
+        self.cells = grid.over(self.points)
 
     def report(self, progress: Progress | None, placed: int) -> None:
         if progress is not None:
@@ -215,7 +212,8 @@ def _grow_in_turn(
     drawn = placed = waiting = 0
     while placed == 0 or waiting > 0:
         grown.report(progress, placed)
+        last = min(grown.most, placed + _BATCH)
         drawn, placed, waiting = grow(
-            grown.key, drawn, placed, min(grown.most, placed + _BATCH), waiting, active, *grown.plane, *notes
+            grown.key, drawn, placed, last, waiting, active, grown.distance, grown.cells, *notes
         )
     return grown.answer(placed)
