@@ -1,6 +1,8 @@
 """Exports for engines: every dialect finds the tiles that Python finds, and draws the same pixels."""
 
 import dataclasses
+import shutil
+import subprocess
 
 import numpy as np
 import pytest
@@ -82,7 +84,7 @@ def test_a_dialect_draws_the_variants(dialect, variants, table, device, tmp_path
     for seed in SEEDS:
         include = lookups.lookup(dialect, 3, seed, 16, 2, variants)
         got = dialects.ask(device, dialect, include, CELLS, "variant", tmp_path)
-        np.testing.assert_array_equal(got, lookups.variant_table(variants, seed, *CELLS.T))
+        np.testing.assert_array_equal(got, dialects.variant_table(variants, seed, *CELLS.T))
     got = dialects.ask(device, dialect, include, CELLS, "tile", tmp_path)
     np.testing.assert_array_equal(got, table[3, seed])
 
@@ -90,7 +92,7 @@ def test_a_dialect_draws_the_variants(dialect, variants, table, device, tmp_path
 def test_the_table_of_variants_is_what_the_tiling_says():
     tiles = tw.corner_tiles(3)
     tiling, variants = tw.direct(tiles, SEEDS[1]), tw.Variants.uniform(tiles, 5)
-    wanted = lookups.variant_table(5, SEEDS[1], *CELLS.T)
+    wanted = dialects.variant_table(5, SEEDS[1], *CELLS.T)
     for (x, y), variant in list(zip(CELLS.tolist(), wanted, strict=True))[::20]:
         assert tiling.placements(x - 1, y - 1, 3, 3, variants=variants).variants[1, 1] == variant
     assert len(np.unique(wanted)) == 5
@@ -157,6 +159,39 @@ def test_atlases_of_variants_lie_side_by_side():
             x += variant * packed.size[0]
             there = pixels[16 * y : 16 * y + 16, 16 * x : 16 * x + 16]
             np.testing.assert_array_equal(there, material.pixels[3 * tile + variant])
+
+
+_ASK_CPP = """#include <cmath>
+#include <cstdio>
+using std::floor;
+%s
+int main() {
+  int x, y;
+  while (std::scanf("%%d %%d", &x, &y) == 2) {
+    float u, v;
+    tw_find(0.5f, 0.5f, x, y, u, v);
+    std::printf("%%.9g %%.9g\\n", u, v);
+  }
+}"""
+
+
+@pytest.mark.skipif(shutil.which("g++") is None, reason="g++ is not installed")
+@pytest.mark.parametrize(("colors", "variants"), [(2, 1), (2, 3), (3, 5), (4, 256)])
+def test_open_shading_language_read_as_another_language(colors, variants, table, tmp_path):
+    """OSL's integers are C's, wrapping; its outputs are references."""
+    for seed in SEEDS:
+        text = lookups.lookup("osl", colors, seed, 16, None, variants)
+        text = text.replace("output int ", "int &").replace("output float ", "float &")
+        (tmp_path / "lookup.cpp").write_text(_ASK_CPP % text)
+        build = ["g++", "-fwrapv", "-O1", "-o", tmp_path / "lookup", tmp_path / "lookup.cpp"]
+        subprocess.run(build, check=True)
+        cells = "\n".join(f"{x} {y}" for x, y in CELLS.tolist())
+        run = subprocess.run([tmp_path / "lookup"], input=cells, capture_output=True, text=True, check=True)
+        found = np.array(run.stdout.split(), float).reshape(-1, 2)
+        column, row = packing(tw.corner_tiles(colors)).place(table[colors, seed])
+        column = column + colors**2 * dialects.variant_table(variants, seed, *CELLS.T)
+        np.testing.assert_array_equal(np.floor(found[:, 0] * colors**2 * variants), column)
+        np.testing.assert_array_equal(np.floor(found[:, 1] * colors**2), row)
 
 
 @pytest.fixture(scope="module")

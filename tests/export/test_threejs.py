@@ -198,11 +198,13 @@ CELLS = [(-3, 5), (-1, -1), (2**31 - 40, -(2**31) + 3), (123456789, -987654321)]
 
 
 @pytest.mark.parametrize("release", RELEASES)
-@pytest.mark.parametrize("colors", [1, 2, 4, 5])
-def test_at_one_texel_per_pixel_the_canvas_shows_what_python_renders(open_folder, tmp_path, colors, release):
-    """Texture arrays up to four colors, packed atlases above."""
-    seed = 2**64 - 5
-    material = handmade(tw.corner_tiles(colors), 16)
+@pytest.mark.parametrize(("colors", "variants"), [(1, 1), (2, 1), (4, 1), (5, 1), (2, 3), (4, 3)])
+def test_at_one_texel_per_pixel_the_canvas_shows_what_python_renders(
+    open_folder, tmp_path, colors, variants, release
+):
+    """Texture arrays up to 256 pictures, packed atlases above."""
+    seed, tiles = 2**64 - 5, tw.corner_tiles(colors)
+    material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, variants))
     page = open_folder(export(material, tmp_path / "a", seed), release)
     field = tw.TextureField(material, tw.direct(material.tiles, seed))
     for x, y in CELLS:

@@ -52,10 +52,13 @@ def read(page, width=160, height=120, **wanted):
     return np.frombuffer(told, np.uint8).reshape(height, width, 4)[..., :3]
 
 
-@pytest.mark.parametrize("colors", [1, 2, 3, 4, 7, 8])
-def test_at_one_texel_per_pixel_the_page_shows_what_python_renders(open_page, colors):
-    """Texture arrays up to four colors, packed atlases of an even and an odd number above."""
-    material = handmade(tw.corner_tiles(colors), 16)
+@pytest.mark.parametrize(
+    ("colors", "variants"), [(1, 1), (2, 1), (3, 1), (4, 1), (7, 1), (8, 1), (2, 3), (4, 3)]
+)
+def test_at_one_texel_per_pixel_the_page_shows_what_python_renders(open_page, colors, variants):
+    """Texture arrays up to 256 pictures, packed atlases of an even and an odd number above."""
+    tiles = tw.corner_tiles(colors)
+    material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, variants))
     seed = 2**64 - colors
     page = open_page(material, seed)
     field = tw.TextureField(material, tw.direct(material.tiles, seed))

@@ -45,9 +45,7 @@ def command(
     mask: Annotated[Path | None, typer.Option(help="Picture: white may be copied.")] = None,
     second: Annotated[Path | None, typer.Option(help="Second photograph, for marked corners.")] = None,
     method: Annotated[str | None, typer.Option(help="How tiles are made; see the documentation.")] = None,
-    variants: Annotated[
-        int, typer.Option(help="Pictures of every tile; more of them show less repetition.")
-    ] = 1,
+    variants: Annotated[int, typer.Option(help="Pictures of every tile: less repetition.")] = 1,
     from_: Annotated[
         Path | None, typer.Option("--from", help="Make this set again, with --reject or --pick.")
     ] = None,

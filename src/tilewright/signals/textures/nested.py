@@ -76,10 +76,11 @@ def lay_centers(search: PatchSearch, openings: Sequence[Opening], variants: int)
     for variant in range(variants):
         for tile, opening in enumerate(openings):
             name = f"center:{tile}:{variant}" if variant else f"center:{tile}"
-            candidates = FURTHER_CANDIDATES if variant else opening.candidates
-            rows[tile, variant], place = search.lay(
-                name, replace(opening, earlier=centers, candidates=candidates)
-            )
+            waiting = replace(opening, earlier=centers)
+            if variant:
+                # What all of them bar is then no larger a part of the exemplar than without variants.
+                waiting = replace(waiting, candidates=FURTHER_CANDIDATES, spacing=variants**-0.5)
+            rows[tile, variant], place = search.lay(name, waiting)
             centers.append(place)
     return stack([rows[key] for key in sorted(rows)])
 

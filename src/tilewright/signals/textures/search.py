@@ -79,6 +79,8 @@ class Opening:
     recurrence : what every old pixel that stays costs, over the root mean square step between neighboring
         pixels of the exemplar: old content shows in more tiles than the patch.
     candidates : places that are cut in before the cheapest is kept.
+    spacing : how far from earlier patches this one is kept, over what is usual; less where there are many of
+        them, as else only conspicuous places are left.
     """
 
     canvas: Patchwork
@@ -90,6 +92,7 @@ class Opening:
     plainness: float = 0.0
     recurrence: float = 0.0
     candidates: int = CANDIDATES
+    spacing: float = 1.0
 
 
 class Cut(NamedTuple):
@@ -199,15 +202,16 @@ class PatchSearch:
 
             bar_places(score, inside(opening.shown), self.exclusion)
             bar_places(score, inside(self.ledger.rejected.get(name, ())), self.size / 4)
-            self._bar_if_others_are_left(score, inside(opening.earlier))
+            self._bar_if_others_are_left(score, inside(opening.earlier), opening.spacing * self.exclusion)
             found = best_places(score, opening.candidates, max(1, round(APART * self.size)))
             if found:
                 return {(y + top, x + left): float(score[y, x]) for y, x in found}
         return {}
 
-    def _bar_if_others_are_left(self, score: NDArray[np.float32], earlier: Sequence[Place]) -> None:
-        """Bar places near earlier patches, in a radius small enough that some places stay."""
-        radius = self.exclusion
+    def _bar_if_others_are_left(
+        self, score: NDArray[np.float32], earlier: Sequence[Place], radius: float
+    ) -> None:
+        """Bar places near earlier patches, in a radius up to this one and so small that some places stay."""
         while radius >= 1:
             trial = score.copy()
             bar_places(trial, earlier, radius)
