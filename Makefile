@@ -9,7 +9,7 @@ OUT ?= out
 UPDATE ?=
 LOWEST_PYTHON ?= python3.11
 
-.PHONY: demo test bench docs gallery lint dist lowest clean
+.PHONY: demo test check bench docs gallery lint dist lowest clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -28,6 +28,13 @@ test: $(VENV)/.test-installed
 	sh .ci/install-node-tools
 	sh .ci/install-validators
 	$(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal
+
+# Laws of tile sets and tilings, and oracles of kernels: what to run while one works.
+check: $(VENV)/.test-installed
+	$(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal \
+		tests/tiles tests/tilings/test_tilings.py tests/tilings/test_hashes.py tests/tilings/test_streams.py \
+		tests/kernels tests/samplers/test_sampler_twins.py tests/signals/textures/test_mincut.py \
+		tests/jobs tests/test_errors.py tests/test_house.py
 
 # Ratios are compared with benchmarks/ratios.json; UPDATE=1 writes them there.
 bench: $(VENV)/.bench-installed $(VENV)/.test-installed

@@ -84,7 +84,7 @@ def test_a_dialect_draws_the_variants(dialect, variants, table, device, tmp_path
     for seed in SEEDS:
         include = lookups.lookup(dialect, 3, seed, 16, 2, variants)
         got = dialects.ask(device, dialect, include, CELLS, "variant", tmp_path)
-        np.testing.assert_array_equal(got, lookups.variant_table(variants, seed, *CELLS.T))
+        np.testing.assert_array_equal(got, dialects.variant_table(variants, seed, *CELLS.T))
     got = dialects.ask(device, dialect, include, CELLS, "tile", tmp_path)
     np.testing.assert_array_equal(got, table[3, seed])
 
@@ -92,7 +92,7 @@ def test_a_dialect_draws_the_variants(dialect, variants, table, device, tmp_path
 def test_the_table_of_variants_is_what_the_tiling_says():
     tiles = tw.corner_tiles(3)
     tiling, variants = tw.direct(tiles, SEEDS[1]), tw.Variants.uniform(tiles, 5)
-    wanted = lookups.variant_table(5, SEEDS[1], *CELLS.T)
+    wanted = dialects.variant_table(5, SEEDS[1], *CELLS.T)
     for (x, y), variant in list(zip(CELLS.tolist(), wanted, strict=True))[::20]:
         assert tiling.placements(x - 1, y - 1, 3, 3, variants=variants).variants[1, 1] == variant
     assert len(np.unique(wanted)) == 5
@@ -189,7 +189,7 @@ def test_open_shading_language_read_as_another_language(colors, variants, table,
         run = subprocess.run([tmp_path / "lookup"], input=cells, capture_output=True, text=True, check=True)
         found = np.array(run.stdout.split(), float).reshape(-1, 2)
         column, row = packing(tw.corner_tiles(colors)).place(table[colors, seed])
-        column = column + colors**2 * lookups.variant_table(variants, seed, *CELLS.T)
+        column = column + colors**2 * dialects.variant_table(variants, seed, *CELLS.T)
         np.testing.assert_array_equal(np.floor(found[:, 0] * colors**2 * variants), column)
         np.testing.assert_array_equal(np.floor(found[:, 1] * colors**2), row)
 

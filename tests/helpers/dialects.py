@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import tilewright as tw
+from tilewright.tilings.streams import VARIANTS
 
 GLSLANG, SPIRV_VAL = shutil.which("glslangValidator"), shutil.which("spirv-val")
 _WIDTH = 64
@@ -287,3 +288,8 @@ def tile_table(colors, seed, x, y):
     """The tile of each cell (x, y), as `direct` lays them: what every dialect must answer."""
     tiling = tw.direct(tw.corner_tiles(colors), seed)
     return np.array([tiling.indices(int(i), int(j), 1, 1)[0, 0] for i, j in zip(x, y, strict=True)], np.int32)
+
+
+def variant_table(variants, seed, x, y):
+    """Which of so many variants of its tile lies in each cell (x, y), beside `tile_table`."""
+    return tw.MixerHash(seed).numbers(VARIANTS, x, y) * variants >> 24

@@ -59,7 +59,7 @@ class Shared:
         for side, ends in _ENDS.items():
             parts = [slots[p] for p in (side, *ends) if p in slots]
             self.edges[side] = sum(
-                (p * MOST_COLORS**k for k, p in enumerate(parts)), np.zeros(len(tiles), np.int64)
+                (p * MOST_COLORS**k for k, p in enumerate(parts)), np.zeros(len(rows), np.int64)
             )
         # Numbers from 0 on, the same for both sides that can meet.
         for pair in (("N", "S"), ("W", "E")):
