@@ -10,6 +10,7 @@ WIDTH, FLOOR, GAP, LEFT = 900, 46, 8, 96
 
 HOLDS = {
     "cli": "options and a print",
+    "notebook": "small pictures of things",
     "jobs": "one whole job a module: options in, files and figures out",
     "gpu": "a field on a real GPU",
     "export": "bytes for other programs",
@@ -24,6 +25,7 @@ HOLDS = {
     "tiles": "what may meet",
     "kernels": "compiled loops",
     "pixels": "channels and colors",
+    "showing": "one line",
     "seeds": "chance",
     "checks": "one clear line",
     "errors": "one family",
@@ -35,8 +37,8 @@ def floors() -> list[list[str]]:
     """The layers of the contract from the roof down; the ground is one floor."""
     contract = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]["contracts"][0]
     layers = [layer.split(" | ") for layer in contract["layers"] if layer != "__main__"]
-    ground = [name for layer in layers for name in layer if (ROOT / "src/tilewright" / f"{name}.py").exists()]
-    return [layer for layer in layers if layer[0] not in ground] + [ground]
+    below = next(n for n, layer in enumerate(layers) if layer == ["kernels"]) + 1
+    return [*layers[:below], [name for layer in layers[below:] for name in layer]]
 
 
 def draw() -> str:

@@ -94,6 +94,8 @@ def fill_words(x, y, z, stream, seed, out):
 def fill_corner_ids(x_low, runs, x_high, y, seed, colors, out):
     """Index of a complete set's corner tile at each cell (Lagae 2007, section 3.3.1 and eq. 2.5).
 
+    The thesis lets y grow up, so that the tile at (x, y) has h(x, y) at SW; here y grows south and h(x, y) is
+    at NW: c_NE, c_SE, c_SW, c_NW are h(x+1, y), h(x+1, y+1), h(x, y+1), h(x, y).
     x_low, runs, x_high : the w + 1 columns of lattice points, as in `color_row`. y : int64 (h + 1,).
     out : int32 (h, w), filled. Rows are colored once for each strip of cells.
     """

@@ -44,7 +44,7 @@ def is_clear(x, y, tile, points, counts, offsets, starts, members, least):
 @kernel()
 def throw_tile_darts(
     key, darts, thrown, missed, patience, distance, offsets, starts, members, points, counts
-):  # fmt: skip
+):
     """Throw up to ``darts`` more darts at the tiles of a set; return how many were thrown and how many missed
     in a row, at most ``patience``.
 

@@ -109,6 +109,7 @@ def as_corner_tiles(wang: TileSet, construction: str) -> TileSet:
     >>> tw.as_corner_tiles(tw.aperiodic_tiles("jeandel-rao-11-5"), "rotation")
     <TileSet jeandel-rao-11-5, rotation: 36 corner tiles, colors (9, 9, 9, 9)>
     """
+    # Each construction lays the corner lattice otherwise over the Wang lattice (figures 8.7, 8.8, 8.9, 8.12).
     slots = wang_slots(wang)
     check_choice("construction", construction, CONSTRUCTIONS)
     if construction in ("horizontal", "vertical"):
@@ -122,6 +123,7 @@ def as_corner_tiles(wang: TileSet, construction: str) -> TileSet:
                 stacklevel=2,
             )
     elif construction == "diagonal":
+        # 8.3.1: a corner lies in the middle of a Wang tile and has its number for a color.
         made, colors = blocks(slots)[:, [1, 3, 2, 0]], len(slots)
     elif construction == "rotation":
         made, colors = _rotate(slots)
@@ -244,13 +246,19 @@ def _numbers(a: Colors, b: Colors) -> Colors:
 
 
 def _translate(slots: Colors, construction: str) -> Colors:
+    """Corner tiles between two Wang tiles (Lagae 2007, section 8.3.2)."""
     n, e, s, w = slots.T
+    # Step 1: every two tiles that fit; a corner has the color of the edge in whose middle it lies.
     if construction == "horizontal":
+        # The lattice lies half a tile further east: corners are on N and S edges, the tiles' shared edge is
+        # ignored.
         a, b = beside(slots)
         pairs = np.stack([n[b], s[b], s[a], n[a]], axis=1)
     else:
+        # The lattice lies half a tile further south: corners are on E and W edges.
         a, b = above(slots)
         pairs = np.stack([e[a], e[b], w[b], w[a]], axis=1)
+    # Step 2: two different pairs must not give the same corner tile, or the way back would be lost.
     made = distinct(pairs)
     if len(made) < len(pairs):
         raise TilewrightValueError(
@@ -267,12 +275,18 @@ def _rotate(slots: Colors) -> tuple[Colors, int]:
     A white tile's corners NE, SE, SW, NW are its edges N, E, S, W; a black one's are the edges that lead
     north, east, south and west from the vertex. The two kinds alternate by themselves: only white tiles have
     colors of N and S edges at NE and SW, only black ones have them at SE and NW.
+
+    Lagae 2007, section 8.3.3; departs from it in these colors: there a checkers set (figure 8.10) is laid
+    over the tiles to make white and black alternate.
     """
+    # Step 1: number the colors of N and S edges, and those of E and W edges after them.
     level, n_s = np.unique(slots[:, [0, 2]], return_inverse=True)
     upright, e_w = np.unique(slots[:, [1, 3]], return_inverse=True)
     n, s = n_s.reshape(-1, 2).T
     e, w = (e_w.reshape(-1, 2) + len(level)).T
+    # Step 2: white tiles, turned by 45 degrees: each corner lies on an edge of one Wang tile.
     white = np.stack([n, e, s, w], axis=1)
+    # Step 3: black tiles, between four Wang tiles: each corner lies on one of the edges that meet there.
     nw, ne, sw, _ = blocks(slots).T
     black = np.stack([e[nw], s[ne], e[sw], s[nw]], axis=1)
     return np.concatenate([white, distinct(black)]), len(level) + len(upright)

@@ -71,9 +71,13 @@ def _sampler(name: str, seconds: float, method: str, *, standard: bool = True, *
         return sample_points(method, count, seed=seed, box=box, **settings)
 
     return Contender(
-        name, known.source, seconds, lambda seed, progress: make, standard,
+        name,
+        known.source,
+        seconds,
+        lambda seed, progress: make,
+        standard,
         repeats=method not in ("regular", "hexagonal", "penrose"),
-    )  # fmt: skip
+    )
 
 
 def _yardsticks() -> list[Contender]:
@@ -84,11 +88,14 @@ def _yardsticks() -> list[Contender]:
 def _samplers() -> list[Contender]:
     lloyd = [
         Contender(
-            f"lloyd {k}", METHODS["lloyd"].source, 0.02 * k + 0.05, partial(_prepare_lloyd, k),
+            f"lloyd {k}",
+            METHODS["lloyd"].source,
+            0.02 * k + 0.05,
+            partial(_prepare_lloyd, k),
             standard=k in (1, 16),
         )
         for k in (1, 2, 4, 8, 16, 32)
-    ]  # fmt: skip
+    ]
     relaxation = [
         _sampler(
             f"relaxation {factor:g}",
@@ -99,7 +106,7 @@ def _samplers() -> list[Contender]:
             standard=factor == 0.99,
         )
         for factor, failures, cost in ((0.9, 100, 0.02), (0.99, 1000, 0.3), (0.999, 10000, 6.0))
-    ]  # fmt: skip
+    ]
     return [
         _sampler("dart 0.70", 0.02, "dart", rho=0.70),
         _sampler("dart 0.75", 0.1, "dart", rho=0.75),
@@ -155,19 +162,28 @@ def _tiles() -> list[Contender]:
         ),
         *(
             _tiled(
-                f"corner-relaxed {c} {n}", corner, (c, n) in ((4, 32), (8, 64)),
-                method="corner-relaxed", colors=c, points=n,
+                f"corner-relaxed {c} {n}",
+                corner,
+                (c, n) in ((4, 32), (8, 64)),
+                method="corner-relaxed",
+                colors=c,
+                points=n,
             )
-            for c in (3, 4, 6, 8) for n in (32, 48, 64)
+            for c in (3, 4, 6, 8)
+            for n in (32, 48, 64)
         ),
         *(
             _tiled(f"corner {c} {n}", ours, (c, n) != (6, 64), method="corner", colors=c, points=n)
             for c, n in ((4, 32), (4, 64), (6, 32), (6, 64))
         ),
         Contender(
-            "kopf", "Kopf et al. 2006; Lagae 2007, section 6.14", 0.05, _prepare_kopf, builds=True,
+            "kopf",
+            "Kopf et al. 2006; Lagae 2007, section 6.14",
+            0.05,
+            _prepare_kopf,
+            builds=True,
         ),
-    ]  # fmt: skip
+    ]
 
 
 def _prepare_kopf(seed: int, progress: Progress | None) -> Make:
@@ -185,10 +201,13 @@ def _lay_kopf(tiles: PointTiles, count: int, seed: int) -> PointSet:
 def _peers() -> list[Contender]:
     peers = [
         Contender(
-            "scipy", "scipy.stats.qmc.PoissonDisk; Bridson 2007", 15.0, lambda seed, progress: _scipy,
+            "scipy",
+            "scipy.stats.qmc.PoissonDisk; Bridson 2007",
+            15.0,
+            lambda seed, progress: _scipy,
             standard=True,
         )
-    ]  # fmt: skip
+    ]
     if find_spec("bridson") is not None:
         source = "pip install bridson; Bridson 2007"
         peers.append(Contender("bridson package", source, 1.6, lambda seed, progress: _bridson))

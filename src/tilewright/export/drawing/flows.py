@@ -95,9 +95,11 @@ def save_animation(
     first = next(rest)
     # What has not changed since the last frame is written as transparent.
     options: dict[str, Any] = {
-        "duration": max(20, round(100 / rate) * 10), "optimize": True,
-        "palette": painter.palette, "transparency": painter.transparent,
-    }  # fmt: skip
+        "duration": max(20, round(100 / rate) * 10),
+        "optimize": True,
+        "palette": painter.palette,
+        "transparency": painter.transparent,
+    }
     if suffix == ".webp":
         options = {"duration": round(1000 / rate), "lossless": True, "quality": 30, "method": 2}
     with whole_file(path) as unfinished:
@@ -243,10 +245,18 @@ class _Painter:
         self._levels *= self._decay
         if frame and self._decay:
             paint_trails(
-                flow.positions[before], flow.positions[frame], flow.ways[before], flow.ways[frame],
-                self._hue_of(frame), float(self._size), self._size * 0.055, _TRAIL_LEVEL, flow.torus,
-                self._levels, self._colors,
-            )  # fmt: skip
+                flow.positions[before],
+                flow.positions[frame],
+                flow.ways[before],
+                flow.ways[frame],
+                self._hue_of(frame),
+                float(self._size),
+                self._size * 0.055,
+                _TRAIL_LEVEL,
+                flow.torus,
+                self._levels,
+                self._colors,
+            )
 
     def _hue_of(self, frame: int) -> NDArray[np.uint8]:
         if self._by_direction:
@@ -263,9 +273,15 @@ class _Painter:
         levels, colors = self._levels.copy(), self._colors.copy()
         radius = max(1.2, self._size * 0.16)
         paint_dots(
-            flow.positions[frame], flow.ways[frame], self._hue_of(frame), float(self._size), radius,
-            flow.torus, levels, colors,
-        )  # fmt: skip
+            flow.positions[frame],
+            flow.ways[frame],
+            self._hue_of(frame),
+            float(self._size),
+            radius,
+            flow.torus,
+            levels,
+            colors,
+        )
         shade = np.rint(levels * light * _LEVELS).astype(np.uint8)
         # Lines of tiles lie on top of trails that are darker than they.
         below = np.where(self.base > 0, (self.base - 1.0) % _RAMP + 1, 0)

@@ -266,9 +266,13 @@ def _number_marks(puzzle: Jigsaw) -> Iterator[str]:
     for y, x in np.ndindex(cells.shape):
         left, top = (x + _MARGIN + 0.54) * puzzle.piece, (y + _MARGIN + 0.6) * puzzle.piece
         yield text(
-            str(cells[y, x]), x=left, y=top, font_size=puzzle.piece * 0.15, text_anchor="middle",
+            str(cells[y, x]),
+            x=left,
+            y=top,
+            font_size=puzzle.piece * 0.15,
+            text_anchor="middle",
             font_family="sans-serif",
-        )  # fmt: skip
+        )
 
 
 def _picture(path: AnyPath | None, width: float, height: float) -> Iterator[str]:
@@ -287,9 +291,12 @@ def _picture(path: AnyPath | None, width: float, height: float) -> Iterator[str]
         raise TilewrightFileError(f"{given} is no PNG or JPEG file; expected one of these", value=given)
     read_image(given)  # refuses one that is damaged
     yield element(
-        "image", href=f"data:image/{kind};base64,{base64.b64encode(content).decode()}", width=width,
-        height=height, preserveAspectRatio="xMidYMid slice",
-    )  # fmt: skip
+        "image",
+        href=f"data:image/{kind};base64,{base64.b64encode(content).decode()}",
+        width=width,
+        height=height,
+        preserveAspectRatio="xMidYMid slice",
+    )
 
 
 def _check_tiling(tiling: Tiling) -> tuple[int, int]:

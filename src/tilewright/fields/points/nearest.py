@@ -66,9 +66,15 @@ class NearestSearch:
         inside = positions[which] - np.floor(positions[which])
         found, squares = np.zeros((len(which), 3), np.int64), np.zeros(len(which))
         find_nearest(
-            inside[:, 0], inside[:, 1], self.rows_of(cells), self.tiles.starts, self.tiles.points,
-            reach, found, squares,
-        )  # fmt: skip
+            inside[:, 0],
+            inside[:, 1],
+            self.rows_of(cells),
+            self.tiles.starts,
+            self.tiles.points,
+            reach,
+            found,
+            squares,
+        )
         names[which], distances[which] = found, np.sqrt(squares)
 
     def rows_of(self, cells: NDArray[np.int64]) -> NDArray[np.int32]:

@@ -38,20 +38,26 @@ class TileMethod:
 
 
 TILE_METHODS: dict[str, TileMethod] = {
-    "corner": TileMethod(
-        "synthesis.poisson_tiles", {"method": "balanced"}, corner_tiles, 0.75, "tilewright"
-    ),
+    "corner": TileMethod("synthesis.poisson_tiles", {"method": "balanced"}, corner_tiles, 0.75, "tilewright"),
     "corner-relaxed": TileMethod(
-        "synthesis.poisson_tiles", {"method": "relaxed"}, corner_tiles, 0.75,
+        "synthesis.poisson_tiles",
+        {"method": "relaxed"},
+        corner_tiles,
+        0.75,
         "Lagae & Dutré 2006, section 7; Lagae 2007, section 4.5",
     ),
     "edge": TileMethod(
-        "synthesis.poisson_tiles", {"method": "relaxed"}, lambda colors: crossed_wang_tiles(2), 0.75,
+        "synthesis.poisson_tiles",
+        {"method": "relaxed"},
+        lambda colors: crossed_wang_tiles(2),
+        0.75,
         "Lagae & Dutré 2005a; Lagae 2007, section 4.3",
     ),
     "template": TileMethod(
-        "synthesis.poisson_tiles", {"method": "relaxed", "variants": 128},
-        lambda colors: corner_tiles(1), 0.75,
+        "synthesis.poisson_tiles",
+        {"method": "relaxed", "variants": 128},
+        lambda colors: corner_tiles(1),
+        0.75,
         "Lagae & Dutré 2005b; Lagae 2007, section 4.4",
     ),
     "shade": TileMethod("shade.shade_tiles", {}, None, 0.70, "Shade et al. 2000; Lagae 2007, section 6.6"),
@@ -59,7 +65,7 @@ TILE_METHODS: dict[str, TileMethod] = {
         "hiller.hiller_tiles", {}, None, None, "Hiller et al. 2001; Lagae 2007, section 6.7"
     ),
     "kopf": TileMethod("kopf.kopf_tiles", {}, None, None, "Kopf et al. 2006; Lagae 2007, section 6.14"),
-}  # fmt: skip
+}
 
 
 def make_point_tiles(

@@ -172,9 +172,17 @@ def _across(
     far, far_starts = _near(tiles, points, reach, (-step[0], -step[1]))
     closest = np.full(len(tiles.starts) - 1, inf)
     find_closest(
-        near, near_starts, far, far_starts, np.repeat(keys, tiles.variants.counts),
-        np.repeat(other_keys, tiles.variants.counts), meets, float(step[0]), float(step[1]), closest,
-    )  # fmt: skip
+        near,
+        near_starts,
+        far,
+        far_starts,
+        np.repeat(keys, tiles.variants.counts),
+        np.repeat(other_keys, tiles.variants.counts),
+        meets,
+        float(step[0]),
+        float(step[1]),
+        closest,
+    )
     return sqrt(closest.min(initial=inf))
 
 

@@ -65,6 +65,7 @@ def shade_tiles(
     TilewrightValueError
         A distance of more than a tile, or tiles that are not square.
     """
+    # Step 1: for each tile, all tiles that can lie beside it, across an edge or a corner.
     given = cohen_tiles(8) if tiles is None else tiles
     neighbors = Neighbors.of(given)
     asked = check_int("points", points, 1, _MOST_POINTS)
@@ -80,6 +81,8 @@ def shade_tiles(
         )
     from tilewright.kernels.wang_points import throw_tile_darts
 
+    # Step 2: throw darts at all tiles; one stays if it keeps its distance from the points of its own tile and
+    # of every possible neighbor (Lagae 2007, section 6.6), until none has stayed for long.
     key, (starts, members) = make_key(seed), neighbors.lists()
     placed = np.empty((len(given), most_points(distance, Box(torus=False), 16 * len(given)), 2))
     counts = np.zeros(len(given), np.int64)
@@ -90,6 +93,7 @@ def shade_tiles(
         thrown, missed = throw_tile_darts(
             key, _BATCH, thrown, missed, patience, distance, OFFSETS, starts, members, placed, counts
         )
+    # Step 3: tiles have as many points as their neighbors left room for.
     mean = float(counts.mean())
     return PointTiles.of(
         given,

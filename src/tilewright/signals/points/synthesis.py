@@ -153,13 +153,20 @@ def _finish(
     )
     distance = 2 * rho * max_radius(plan.points, Box())
     recipe = {
-        "points": plan.points, "rho": rho, "variants": plan.variants,
+        "points": plan.points,
+        "rho": rho,
+        "variants": plan.variants,
         "seed": None if isinstance(seed, np.random.Generator) else int(seed),
-    }  # fmt: skip
+    }
     made = PointTiles.of(
-        plan.tiles, rows, [ranks[n] for n in numbers],
-        variants=Variants.uniform(plan.tiles, plan.variants), distance=distance, method=method, recipe=recipe,
-    )  # fmt: skip
+        plan.tiles,
+        rows,
+        [ranks[n] for n in numbers],
+        variants=Variants.uniform(plan.tiles, plan.variants),
+        distance=distance,
+        method=method,
+        recipe=recipe,
+    )
     close = find_closeness(made, plan.distance * 1.01)
     if close.distance < distance:
         raise AssertionError(f"points {close.distance} apart where {distance} was built")

@@ -25,12 +25,15 @@ def choose_corners(search: PatchSearch, plan: Plan, overlap: int, rng: np.random
     (first after second, east and south); positions are added one by one so that the sum over all pairs
     is least. All are at least half a tile apart.
     """
+    # Step 1: places at random, where the papers take one for each color (Lagae & Dutré 2006, section 5.1).
     candidates = _candidates(search, plan, overlap, rng)
+    # Step 2: how badly any two of them meet across an edge, and how conspicuous each is.
     misfit = _misfit(search, candidates.rows, candidates.columns, overlap)
     penalty = np.ones(len(candidates.rows))
     if search.period is None:
         side = round(SHOWN * search.size)
         penalty += PLAINNESS * search.conspicuous_at(candidates.rows, candidates.columns, side)
+    # Step 3: one place after the other, each the one that meets those before it best.
     chosen = dict(candidates.picked)
     for corner in range(len(plan.corner_sources)):
         if corner not in chosen:
@@ -41,6 +44,7 @@ def choose_corners(search: PatchSearch, plan: Plan, overlap: int, rng: np.random
 def random_corners(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> list[Place]:
     """A random position for each corner patch, as in the papers; the artist's choices are kept."""
     candidates = _candidates(search, plan, 0, rng)
+    # The next place is the one of least misfit: a number of its own by chance.
     order = rng.permutation(len(candidates.rows)).astype(float)
     chosen = dict(candidates.picked)
     for corner in range(len(plan.corner_sources)):

@@ -25,7 +25,9 @@ _NORTH, _EAST, _SOUTH, _WEST = range(4)
 def lay_diamonds(search: PatchSearch, tiles: TileSet, rng: np.random.Generator) -> Patchwork:
     """Cohen et al. 2003, section 3.2: diamonds that meet in cuts along the tile's diagonals."""
     frame = Frame(search.size)
+    # Step 1: a diamond-shaped sample of the photograph for each edge color (section 3.2).
     samples = choose_samples(search, tiles, rng)
+    # Step 2: the four samples of a tile's edges, combined along the best cuts (same section).
     return stack([_join(search, frame, samples, slots, _near_diagonals(frame)) for slots in tiles.slots])
 
 
@@ -46,10 +48,13 @@ def lay_diamonds_with_centers(
 ) -> Patchwork:
     """Cohen's diamonds under a patch of its own in the middle of each variant of each tile."""
     frame = Frame(search.size)
+    # Step 1: a sample for each edge color, plain ones first.
     samples = choose_samples(search, tiles, rng, PLAINNESS)
     openings = []
     for slots in tiles.slots:
+        # Step 2: the four samples of the tile's edges, combined as in Cohen et al. 2003, section 3.2.
         canvas = _join(search, frame, samples, slots, _near_diagonals(frame))
+        # Step 3: a patch of the tile's own over their seams, as corner tiles have (Lagae & Dutré 2006, 5.1).
         shown = [samples.in_tile(frame, side, slots) for side in range(4)]
         openings.append(center_opening(frame, canvas, (0,), shown))
     return lay_centers(search, openings, variants)
@@ -78,6 +83,7 @@ def choose_samples(
     half-diagonals where they can meet; every pair meets in a complete set and in Cohen's sets. With
     ``plainness``, conspicuous samples are marked down.
     """
+    # Step 1: candidates, some at random, and those that were picked by hand.
     y, x = search.matcher.places((0,)).nonzero()
     if not len(y):
         raise TilewrightValueError(
@@ -100,16 +106,19 @@ def choose_samples(
         if name in search.ledger.picked:
             search.checked_pick(name)
             fixed[slot], nth = nth, nth + 1
+    # Step 2: what may not be chosen: places rejected for a color, and places too near each other.
     barred = np.zeros((len(names), len(y)), bool)
     for slot, name in enumerate(names):
         for ry, rx in search.ledger.rejected.get(name, ()):
             barred[slot] |= (y - ry) ** 2 + (x - rx) ** 2 < (search.size / 4) ** 2
     near = (y[:, None] - y) ** 2 + (x[:, None] - x) ** 2 < (search.size / 2) ** 2
+    # Step 3: how badly every two of them meet along a tile's diagonals.
     misfit = _misfit(search, y, x)
     if plainness and search.period is None:
         half, side = search.size // 2, round(SHOWN * search.size)
         penalty = 1 + plainness * search.conspicuous_at(y + half, x + half, side)
         misfit *= (penalty[:, None] + penalty) / 2
+    # Step 4: the set of samples that meet best.
     chosen = _improve(misfit, near, barred, counts, fixed, rng)
     for name, sample in zip(names, chosen, strict=True):
         search.ledger.laid[name] = (int(y[sample]), int(x[sample]))
@@ -192,7 +201,9 @@ def _join(
 ) -> Patchwork:
     """A tile: north over south, then west and east cut in, each in its own half."""
     place = [samples.in_tile(frame, side, slots) for side in range(4)]
+    # Step 1: the south half of the north edge's sample above the north half of the south edge's.
     canvas = Patchwork.of_patch(frame.size, frame.size, place[_SOUTH]).with_patch(place[_NORTH], frame.v < 0)
+    # Step 2: the west and east samples in their triangles, as far as the best cut lets them.
     for side in (_WEST, _EAST):
         half = (frame.u < 0) == (side == _WEST)
         state = np.where(frame.triangles[side], FORCED_NEW, FORCED_OLD).astype(np.uint8)

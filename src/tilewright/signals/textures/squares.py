@@ -27,8 +27,11 @@ def lay_squares(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> Pa
     The cut between two corner patches is made once for each edge, so that tiles with that edge agree.
     """
     frame = Frame(search.size)
+    # Step 1: a square patch for each corner color (Lagae & Dutré 2006, section 5.1).
     corners = choose_corners(search, plan, round(OVERLAP * search.size), rng)
+    # Step 2: for each edge, the cut between the patches at its ends.
     edges = [cut_ends(search, frame, edge, corners, even(frame)) for edge in plan.edges]
+    # Step 3: each tile is the four corner patches, parted by the cuts of its four edges.
     return stack([join_edges(frame, [edges[e] for e in sides]) for sides in plan.tile_edges])
 
 
@@ -40,11 +43,14 @@ def lay_ng(search: PatchSearch, plan: Plan, rng: np.random.Generator, variants: 
     the best of a search is taken.
     """
     frame = Frame(search.size)
+    # Step 1: a square patch at random for each corner color (Lagae & Dutré 2006, section 5.1).
     corners = random_corners(search, plan, rng)
+    # Step 2: where the patch over the seam must lie, and where it may: in the circle inscribed in the tile.
     radius = np.hypot(frame.u, frame.v)
     circle = radius < frame.half - 1
     core = (np.minimum(np.abs(frame.u), np.abs(frame.v)) < 2) & (radius < 0.8 * frame.half)
     state = frame.ring(core, circle)
+    # Step 3: the patches at the ends of each edge side by side, with a bare seam in the middle.
     edges = []
     for edge in plan.edges:
         first, second = end_places(frame, edge, corners)
@@ -52,7 +58,9 @@ def lay_ng(search: PatchSearch, plan: Plan, rng: np.random.Generator, variants: 
         edges.append(Patchwork.of_patch(frame.size, frame.size, first).with_patch(second, along > 0))
     openings = []
     for tile, sides in enumerate(plan.tile_edges):
+        # Step 4: the four patches of a tile leave a cross-shaped seam,
         canvas = join_edges(frame, [edges[e] for e in sides])
         shown = shown_in_tile(frame, plan, tile, corners, [[] for _ in edges])
+        # Step 5: which an irregular patch covers, found and cut by graph cut (Kwatra et al. 2003).
         openings.append(Opening(canvas, state, even(frame), plan.sources_of_tile(tile), shown))
     return lay_centers(search, openings, variants)

@@ -171,9 +171,19 @@ class PackingSearch:
 
         found = np.empty((most, len(self._numbers)), np.int64)
         count = search_packings(
-            self._windows, self._places, self._closing, self._starts, self._choices, self._numbers,
-            self._tried, self._colors, self._used, self._progress, found, _STRETCH,
-        )  # fmt: skip
+            self._windows,
+            self._places,
+            self._closing,
+            self._starts,
+            self._choices,
+            self._numbers,
+            self._tried,
+            self._colors,
+            self._used,
+            self._progress,
+            found,
+            _STRETCH,
+        )
         cells = (found[:count, self._windows] * self._places).sum(axis=-1)
         return cells.reshape(count, *reversed(self.size)).astype(np.int32)
 
