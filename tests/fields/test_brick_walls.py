@@ -261,9 +261,10 @@ def test_noise_is_that_of_a_slow_twin():
         return found[octave]
 
     noise = lay_noise(words, (48, 24), (17, 5), (60, 9))
-    out, weights = np.zeros((3, 60), np.float32), noise[-1]
+    out, weights = np.zeros((3, 60), np.float32), noise.weights
     row, key = 4, 0xABCDEF01
-    roughen_span(10, 50, np.uint32(key), (*noise[:5], noise[5][row], noise[6][row], weights), out)
+    near = noise._replace(rows=noise.rows[row], south=noise.south[row])
+    roughen_span(10, 50, np.uint32(key), near, out)
     for j, field in ((10, 0), (23, 1), (37, 2), (49, 2)):
         total = 0.0
         for octave, (points_x, points_y) in enumerate([(16, 8), (8, 4), (4, 2)]):

@@ -1,7 +1,6 @@
 """The particles of a flow as they are now, and the film of where they were."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,50 +21,20 @@ NOBODY = 4
 """Instead of a way: no particle. As the way by which one came: it was born here."""
 
 
-class Particles(NamedTuple):
-    """State, a row for each slot; see kernels/flow.py."""
-
-    x: NDArray[np.int32]
-    y: NDArray[np.int32]
-    ways: NDArray[np.uint8]
-    gone: NDArray[np.float64]
-    keys: NDArray[np.uint64]
-    visits: NDArray[np.int32]
-    waits: NDArray[np.float64]
-
-    @classmethod
-    def empty(cls, capacity: int) -> "Particles":
-        """Slots without particles."""
-        kinds = (np.int32, np.int32, np.uint8, np.float64, np.uint64, np.int32, np.float64)
-        arrays = cls(*(np.zeros(capacity, kind) for kind in kinds))  # type: ignore[arg-type]
-        arrays.ways.fill(NOBODY)
-        return arrays
-
-    def widened(self, capacity: int) -> "Particles":
-        """The same particles and further slots."""
-        wide = Particles.empty(capacity)
-        there = len(self.ways)
-        for name in self._fields:
-            getattr(wide, name)[:there] = getattr(self, name)
-        return wide
-
-
 class Crowd:
     """Particles on a tiling. A newborn one takes the slot of one that is gone, where there is one."""
 
     def __init__(
         self, cells: NDArray[np.uint8], tiles: Sequence[FlowTile], border: int, turns_back: bool, seed: int
     ) -> None:
-        from tilewright.kernels.flow import count_threads
+        from tilewright.kernels.flow import Particles, Rules, count_threads
 
         key = make_key(seed)
         self._key, self._birth_key = derive_key(key, FLOWS, 0), derive_key(key, FLOWS, 1)
         options, choices = _ways_on(tiles, turns_back)
         speeds = np.array([tile.speed for tile in tiles], np.float64)
         deaths = np.array([round(tile.kills * 2**32) for tile in tiles], np.uint64)
-        self._cells, self._border = cells, border
-        self._chances = (options, choices)
-        self._rules = (cells, options, choices, speeds, 1 / speeds, deaths, border)
+        self._rules = Rules(cells, options, choices, speeds, 1 / speeds, deaths, border)
         rates = np.array([tile.emits for tile in tiles], np.float64)[cells].ravel()
         self._emitters = np.flatnonzero(rates)
         self._rates = rates[self._emitters]
@@ -83,10 +52,10 @@ class Crowd:
 
     def begin(self, count: int) -> None:
         """Spread the first particles."""
-        from tilewright.kernels.flow import start_particles
+        from tilewright.kernels.flow import Particles, start_particles
 
         self.particles = Particles.empty(count)
-        start_particles(self._key, *self.particles, self._cells, *self._chances, self._border)
+        start_particles(self._key, self.particles, self._rules)
         self._numbers = count
 
     def give_birth(self, now: int, steps: int, busy: NDArray[np.bool_]) -> None:
@@ -98,9 +67,8 @@ class Crowd:
         place, moment = self._births(now, steps)
         slots = self._slots(len(place), busy)
         bear_particles(
-            self._key, self._numbers, slots, place, moment, *self.particles,
-            self._cells, *self._chances, self._border, self._passed[0],
-        )  # fmt: skip
+            self._key, self._numbers, slots, place, moment, self.particles, self._rules, self._passed[0]
+        )
         self._numbers += len(place)
         self.born += len(place)
 
@@ -112,7 +80,7 @@ class Crowd:
         count = np.empty(len(self._emitters), np.int64)
         for step in range(steps):
             total += count_births(
-                self._birth_key, self._emitters, self._rates, self._cells.size, now + step, count
+                self._birth_key, self._emitters, self._rates, self._rules.cells.size, now + step, count
             )
             _check_number(total)
             places.append(np.repeat(self._emitters, count))
@@ -138,9 +106,9 @@ class Crowd:
 
         n = len(self.particles.x)
         if n * steps < _FEW:
-            walk_particles(0, n, steps, *self.particles, *self._rules, self._passed[0])
+            walk_particles(0, n, steps, self.particles, self._rules, self._passed[0])
         else:
-            walk_in_parallel(steps, *self.particles, *self._rules, self._passed)
+            walk_in_parallel(steps, self.particles, self._rules, self._passed)
         ways = self.particles.ways
         self.killed += int((ways == KILLED).sum())
         self.left += int((ways == LEFT).sum())
@@ -182,12 +150,9 @@ class Film:
         from tilewright.kernels.flow import record_places
 
         now = crowd.particles
-        self._used = len(now.x)
-        self.make_room(self._used)
-        record_places(
-            now.x, now.y, now.ways, now.gone, *self._extent,
-            self.positions[frame, : self._used], self.ways[frame, : self._used],
-        )  # fmt: skip
+        self._used = used = len(now.x)
+        self.make_room(used)
+        record_places(now, *self._extent, self.positions[frame, :used], self.ways[frame, :used])
         self.counts[:, frame] = crowd.born, crowd.killed, crowd.left
         self.busy = now.ways != NOBODY
 

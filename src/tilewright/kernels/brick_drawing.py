@@ -1,10 +1,95 @@
 """Walls drawn pixel by pixel: which brick lies where, how its surface looks, and in what light."""
 
+from typing import NamedTuple
+
 import numba
 import numpy as np
+from numpy.typing import NDArray
 
 from tilewright.kernels.compiled import kernel
 from tilewright.kernels.lattice import finish_word, mix, start_row
+
+
+class Noise(NamedTuple):
+    """Lattices of gradient noise, an octave after the other, and where pixels lie between their points."""
+
+    words: NDArray[np.uint32]
+    """Random words of the lattice points of all octaves."""
+    places: NDArray[np.int64]
+    """(octaves, 2): where an octave begins in these, and its columns."""
+    columns: NDArray[np.int32]
+    """(octaves, w): lattice column west of each column of pixels."""
+    until: NDArray[np.int32]
+    """(octaves, w): the first pixel east of the next lattice column."""
+    east: NDArray[np.float32]
+    """(octaves, 2, w): how far east of its lattice column a pixel lies, 0 to 1, and the same eased."""
+    rows: NDArray[np.int32]
+    """(h, octaves): lattice row north of each row of pixels; (octaves,) for one row."""
+    south: NDArray[np.float32]
+    """(h, octaves, 2): as ``east``, along y; (octaves, 2) for one row."""
+    weights: NDArray[np.float32]
+    """(octaves, 3): how much an octave adds to edges, stains and sand."""
+
+
+class Edges(NamedTuple):
+    """Lengths of a wall in pixels, float32."""
+
+    half_joint: np.float32
+    """Half the width of the mortar."""
+    bevel: np.float32
+    """Over which a brick rises from its edge to its face."""
+    rounding: np.float32
+    """Radius of the corners of bricks."""
+    wobble: np.float32
+    """How far edges leave their line."""
+
+
+class Finish(NamedTuple):
+    """How noise becomes heights, colors and roughness, all float32; see signals/bricks/style.py."""
+
+    ragged: np.float32
+    joint: np.float32
+    joint_edge: np.float32
+    joint_sand: np.float32
+    joint_hollow: np.float32
+    pit_slope: np.float32
+    pit_onset: np.float32
+    pit_depth: np.float32
+    face_sand: np.float32
+    face_stain: np.float32
+    rim: np.float32
+    rim_edge: np.float32
+    stain_middle: np.float32
+    stain_contrast: np.float32
+    smear_sand: np.float32
+    smear_onset: np.float32
+    smear_reach: np.float32
+    smear_slope: np.float32
+    clay_sand: np.float32
+    clay_speck: np.float32
+    clay_pit: np.float32
+    clay_rim: np.float32
+    clay_rise: np.float32
+    lime: np.float32
+    lime_sand: np.float32
+    lime_stain: np.float32
+    lime_speck: np.float32
+    lime_hollow: np.float32
+    rough_sand: np.float32
+    grain: np.float32
+
+
+class Surface(NamedTuple):
+    """What is painted; of one row, without the first axis."""
+
+    height: NDArray[np.float32]
+    """(h, w), 0 to 1."""
+    color: NDArray[np.uint8]
+    """(h, w, 3), sRGB."""
+    roughness: NDArray[np.uint8]
+    """(h, w)"""
+    joints: NDArray[np.uint8]
+    """(h, w), 255 where mortar is."""
 
 
 @kernel()
@@ -56,12 +141,8 @@ def blend_column(north, south, shift, dy, ease_y, weight):
 def roughen_span(first, last, key, noise, out):
     """Gradient noise (Perlin 1985, 2002) of pixels ``first`` up to ``last`` of a row: three sums of octaves.
 
-    key : uint32, what tells one brick's noise from another's. noise : words : uint32, the lattice points of
-    all octaves; places : int64 (octaves, 2), where an octave begins there, and its columns.
-    columns, until : int32 (octaves, w), lattice column west of each pixel, and the first pixel of the next.
-    east : float32 (octaves, 2, w), how far east of it the pixel lies, 0 to 1, and the same eased.
-    rows, south : (octaves,), (octaves, 2), the same for this row. weights : float32 (octaves, 3).
-    out : float32 (3, w), filled from ``first`` to ``last``.
+    key : uint32, what tells one brick's noise from another's. noise : `Noise` of the row. out : float32
+    (3, w), filled from ``first`` to ``last``.
     """
     words, places, columns, until, east, rows, south, weights = noise
     out[:, first:last] = 0
@@ -127,17 +208,17 @@ def measure_depths(first, last, y, sides, rounding, out):
 
 
 @kernel()
-def paint_span(first, last, y, brick, inside, own, bed, noise, look, mortar, surface):
+def paint_span(first, last, y, brick, inside, own, bed, noise, edges, finish, mortar, surface):
     """Paint pixels of one brick in a row; see `paint_bricks`.
 
-    own, bed : float32 (3, w), noise of brick and mortar. surface : rows of what is painted, filled.
+    own, bed : float32 (3, w), noise of brick and mortar. noise, surface : of the row; surface is filled.
     """
-    f = np.float32
+    f, look = np.float32, finish
     height, color, roughness, joints = surface
     words, places, columns, _, east, rows, south, _ = noise
     lattice = words[places[0, 0] + rows[0] * places[0, 1] :]
     down = np.uint32(south[0, 0] * f(65536)) << np.uint32(16)
-    half_joint, bevel, wobble, grain = look[0], look[1], look[3], look[4]
+    half_joint, bevel, wobble, grain = edges.half_joint, edges.bevel, edges.wobble, look.grain
     middle = (brick[0] + brick[2]) * f(0.5)
     level = brick[4] + brick[6] * (y - (brick[1] + brick[3]) * f(0.5))
     slope, matt, smeared = brick[5], brick[7], brick[8]
@@ -147,29 +228,33 @@ def paint_span(first, last, y, brick, inside, own, bed, noise, look, mortar, sur
         # A pixel's own grain: the word of the lattice point before it, and where it lies from there.
         speck = mix(lattice[columns[0, j]] ^ np.uint32(east[0, 0, j] * f(65536)) ^ down)
         speck = (f(speck >> np.uint32(8)) * f(1 / 2**23) - f(1)) * grain
-        worn = inside[j] + wobble * (edge + f(0.35) * own[2, j])
+        worn = inside[j] + wobble * (edge + look.ragged * own[2, j])
         cover = clip_unit(worn + f(0.5))
         # Mortar: sandy and hollow between bricks. It knows no brick, but how far the next one is.
         hollow = ease_unit(-inside[j] / half_joint)
-        joint = f(0.30) + f(0.10) * edge_0 + f(0.16) * sand_0 - f(0.12) * hollow
+        joint = look.joint + look.joint_edge * edge_0 + look.joint_sand * sand_0 - look.joint_hollow * hollow
         # Brick: from a worn edge it rises to a face of its own height and tilt, which has pits.
         t = clip_unit(worn / bevel)
         rise = t * (f(2) - t)
-        pit = ease_unit(sand * f(3) - f(1.65))
-        face = level + slope * (f(j) + f(0.5) - middle) + f(0.07) * sand + f(0.05) * stain - f(0.16) * pit
-        rim = f(0.50) + f(0.10) * edge
+        pit = ease_unit(sand * look.pit_slope - look.pit_onset)
+        face = level + slope * (f(j) + f(0.5) - middle)
+        face = face + look.face_sand * sand + look.face_stain * stain - look.pit_depth * pit
+        rim = look.rim + look.rim_edge * edge
         height[j] = clip_unit(joint + (rim + (face - rim) * rise - joint) * cover)
         # Stains run from one color of the clay to the other; mortar is smeared over edges.
-        second = ease_unit(f(0.5) + f(0.9) * stain)
-        smear = smeared * ease_unit((edge + f(0.5) * sand - f(0.05) - worn / bevel * f(0.45)) * f(1.6))
+        second = ease_unit(look.stain_middle + look.stain_contrast * stain)
+        lap = edge + look.smear_sand * sand - look.smear_onset - worn / bevel * look.smear_reach
+        smear = smeared * ease_unit(lap * look.smear_slope)
         part = cover * (f(1) - smear)
-        shade = (f(1) + f(0.14) * sand + f(0.05) * speck - f(0.35) * pit) * (f(0.9) + f(0.1) * rise)
-        shade_0 = f(0.80) + f(0.20) * sand_0 + f(0.10) * stain_0 + f(0.08) * speck + f(0.20) * hollow
+        shade = f(1) + look.clay_sand * sand + look.clay_speck * speck - look.clay_pit * pit
+        shade = shade * (look.clay_rim + look.clay_rise * rise)
+        shade_0 = look.lime + look.lime_sand * sand_0 + look.lime_stain * stain_0
+        shade_0 = shade_0 + look.lime_speck * speck + look.lime_hollow * hollow
         for c in range(3):
             clay = (brick[9 + c] + (brick[12 + c] - brick[9 + c]) * second) * shade
             lime = mortar[c] * shade_0
             color[j, c] = np.uint8(clip_unit(lime + (clay - lime) * part) * f(255) + f(0.5))
-        rough = mortar[3] + (matt + f(0.06) * sand - mortar[3]) * part
+        rough = mortar[3] + (matt + look.rough_sand * sand - mortar[3]) * part
         roughness[j] = np.uint8(clip_unit(rough) * f(255) + f(0.5))
         joints[j] = np.uint8(255) if worn <= f(0) else np.uint8(0)
 
@@ -186,7 +271,7 @@ def list_runs(row, ends):
 
 
 @kernel()
-def paint_row(y, index, bricks, keys, noise, look, mortar, surface):
+def paint_row(y, index, bricks, keys, noise, edges, finish, mortar, surface):
     """Paint a row of pixels, run by run of those that one brick holds; see `paint_bricks`."""
     w = index.size
     own, bed = np.empty((3, w), np.float32), np.zeros((3, w), np.float32)
@@ -195,11 +280,11 @@ def paint_row(y, index, bricks, keys, noise, look, mortar, surface):
     first = 0
     for r in range(count):
         k = index[first]
-        measure_depths(first, ends[r], y, bricks[k], look[2], inside)
+        measure_depths(first, ends[r], y, bricks[k], edges.rounding, inside)
         roughen_span(first, ends[r], keys[k], noise, own)
         first = ends[r]
     # Mortar is there where it can show through.
-    reach = np.float32(2) * look[3] + np.float32(0.5)
+    reach = np.float32(2) * edges.wobble + np.float32(0.5)
     first = 0
     for j in range(w + 1):
         if j == w or inside[j] > reach:
@@ -208,30 +293,28 @@ def paint_row(y, index, bricks, keys, noise, look, mortar, surface):
             first = j + 1
     first = 0
     for r in range(count):
-        paint_span(first, ends[r], y, bricks[index[first]], inside, own, bed, noise, look, mortar, surface)
+        brick = bricks[index[first]]
+        paint_span(first, ends[r], y, brick, inside, own, bed, noise, edges, finish, mortar, surface)
         first = ends[r]
 
 
 @kernel(parallel=True)
-def paint_bricks(
-    index, bricks, keys, words, places, columns, until, east, rows, south, weights, look, mortar,
-    height, color, roughness, joints,
-):  # fmt: skip
+def paint_bricks(index, bricks, keys, noise, edges, finish, mortar, surface):
     """Paint a window of a wall.
 
     index : int32 (h, w), the brick of each pixel. bricks : float32 (n, 15): west, north, east and south side
     in pixels; height of the middle of its face and the slopes along x and y; roughness; mortar smeared on
     it; two colors. keys : uint32 (n,), not 0: whose noise it has; mortar has 0.
-    words to weights : as in `roughen_span`, rows and south with a row for each row of pixels.
-    look : half the mortar, bevel, rounding and wobble of edges in pixels, grain. mortar : color, roughness.
-    height : float32 (h, w), 0 to 1. color : uint8 (h, w, 3). roughness : uint8 (h, w). joints : uint8 (h, w),
-    255 where mortar is. All four are filled.
+    noise : `Noise`. edges : `Edges`. finish : `Finish`. mortar : float32 (4,), color and roughness.
+    surface : `Surface`, filled.
     """
+    words, places, columns, until, east, rows, south, weights = noise
+    height, color, roughness, joints = surface
     for i in numba.prange(len(index)):
         y = np.float32(i) + np.float32(0.5)
-        noise = words, places, columns, until, east, rows[i], south[i], weights
-        surface = height[i], color[i], roughness[i], joints[i]
-        paint_row(y, index[i], bricks, keys, noise, look, mortar, surface)
+        near = Noise(words, places, columns, until, east, rows[i], south[i], weights)
+        row = Surface(height[i], color[i], roughness[i], joints[i])
+        paint_row(y, index[i], bricks, keys, near, edges, finish, mortar, row)
 
 
 @kernel(parallel=True)

@@ -1,9 +1,20 @@
 """Points of a window of tiles: copied from their tiles, with the place of the cell added."""
 
+from typing import NamedTuple
+
 import numba
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
+
+
+class Sides(NamedTuple):
+    """A window, seen from its first cell: left and top are inside, right and bottom are not."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
 
 
 @kernel(parallel=True)
@@ -55,14 +66,14 @@ def count_points(cells, starts, points, ranks, rank, left, top, right, bottom, c
 
 
 @kernel(parallel=True)
-def lay_points(
-    cells, starts, points, ranks, rank, left, top, right, bottom, firsts, x0, y0, out, named, names
-):
+def lay_points(cells, starts, points, ranks, rank, sides, firsts, x0, y0, out, named, names):
     """The points that `count_points` counts, in the order of cells and ranks.
 
-    firsts : int64 (h,), where each row of cells begins in ``out``, float32 or float64 (n, 2), filled.
+    sides : `Sides`. firsts : int64 (h,), where each row of cells begins in ``out``, float32 or float64
+    (n, 2), filled.
     names : int64 (n, 3), filled if ``named``: row and column of the cell, and the number in the tile.
     """
+    left, top, right, bottom = sides
     for i in numba.prange(cells.shape[0]):
         n = firsts[i]
         for j in range(cells.shape[1]):

@@ -1,12 +1,13 @@
 """Particles that walk from the center of a cell to the next: births, steps and records of flow tiles.
 
-Ways are 0 to 3: north, east, south, west. Of each particle there are: x, y int32, the cell whose center it
-left last; ways uint8; gone float64, how much of the way to the next center lies behind it, [0, 1); keys
-uint64, the key of its chance; visits int32, numbers drawn so far; waits float64, steps until it begins.
+Ways are 0 to 3: north, east, south, west.
 """
+
+from typing import NamedTuple
 
 import numba
 import numpy as np
+from numpy.typing import NDArray
 
 from tilewright.kernels.chance import draw_unit, draw_word
 from tilewright.kernels.compiled import kernel
@@ -20,6 +21,60 @@ DRAWN = 3
 
 _EAST, _SOUTH = (0, 1, 0, -1), (-1, 0, 1, 0)
 _BELOW_HALF = 0.49999999999999994
+
+
+class Particles(NamedTuple):
+    """State of particles: every array has shape (n,), a row for each slot."""
+
+    x: NDArray[np.int32]
+    """Column of the cell whose center it left last."""
+    y: NDArray[np.int32]
+    """Row of that cell."""
+    ways: NDArray[np.uint8]
+    """Which way it left, or `FREE`, `KILLED`, `LEFT`."""
+    gone: NDArray[np.float64]
+    """How much of the way to the next center lies behind it, [0, 1)."""
+    keys: NDArray[np.uint64]
+    """The key of its chance."""
+    visits: NDArray[np.int32]
+    """Numbers drawn so far."""
+    waits: NDArray[np.float64]
+    """Steps until it begins."""
+
+    @classmethod
+    def empty(cls, capacity: int) -> "Particles":
+        """Slots without particles."""
+        kinds = (np.int32, np.int32, np.uint8, np.float64, np.uint64, np.int32, np.float64)
+        arrays = cls(*(np.zeros(capacity, kind) for kind in kinds))  # type: ignore[arg-type]
+        arrays.ways.fill(FREE)
+        return arrays
+
+    def widened(self, capacity: int) -> "Particles":
+        """The same particles and further slots."""
+        wide = Particles.empty(capacity)
+        there = len(self.ways)
+        for name in self._fields:
+            getattr(wide, name)[:there] = getattr(self, name)
+        return wide
+
+
+class Rules(NamedTuple):
+    """The tiles of a rectangle, and what each of t tiles does with particles."""
+
+    cells: NDArray[np.uint8]
+    """(h, w): the tile of each cell."""
+    options: NDArray[np.uint8]
+    """(t, 5, 4): the ways on for one that comes along way 0 to 3, or is born (4)."""
+    counts: NDArray[np.uint8]
+    """(t, 5): how many of these there are."""
+    speeds: NDArray[np.float64]
+    """(t,): cells for each step."""
+    slowness: NDArray[np.float64]
+    """(t,): 1 / speeds."""
+    deaths: NDArray[np.uint64]
+    """(t,): chance to die, in units of 2^-32."""
+    border: int
+    """`TORUS`, `CLOSED` or `OPEN`."""
 
 
 def count_threads():
@@ -48,12 +103,14 @@ def leads_out(x, y, way, width, height):
 
 
 @kernel()
-def start_particles(key, x, y, ways, gone, keys, visits, waits, cells, options, counts, border):
+def start_particles(key, particles, rules):
     """Spread particles 0 to n - 1 over the cells, each somewhere between two centers.
 
     The cells, row by row, are cut into n equal parts, and each particle begins in its own: they lie
     evenly, and neighbors in memory work on neighboring cells.
     """
+    x, y, ways, gone, keys, visits, waits = particles
+    cells, options, counts, _, _, _, border = rules
     height, width = cells.shape
     for i in range(x.size):
         own = draw_word(key, i)
@@ -82,11 +139,10 @@ def count_births(key, places, rates, cell_count, step, out):
 
 
 @kernel()
-def bear_particles(
-    key, number, slots, places, steps, x, y, ways, gone, keys, visits, waits,
-    cells, options, counts, border, passed,
-):  # fmt: skip
+def bear_particles(key, number, slots, places, steps, particles, rules, passed):
     """Particles ``number`` on come to life in the centers of cells, some moment of the given steps."""
+    x, y, ways, gone, keys, visits, waits = particles
+    cells, options, counts, _, _, _, border = rules
     height, width = cells.shape
     for j in range(slots.size):
         i, own = slots[j], draw_word(key, number + j)
@@ -101,17 +157,13 @@ def bear_particles(
 
 
 @kernel()
-def walk_particles(
-    first, last, steps, x, y, ways, gone, keys, visits, waits,
-    cells, options, counts, speeds, slowness, deaths, border, passed,
-):  # fmt: skip
+def walk_particles(first, last, steps, particles, rules, passed):
     """Move particles ``first`` up to ``last`` for a number of steps.
 
-    cells : uint8 (h, w). Of each tile: options uint8 (t, 5, 4) and counts uint8 (t, 5), the ways on for one
-    that comes along way 0 to 3 or is born (4); speeds float64 (t,), cells for each step,
-    and slowness, 1 / speeds; deaths uint64 (t,),
-    chance to die in units of 2^-32. passed : int64 (h, w, 4), adds who set out from a center along a way.
+    passed : int64 (h, w, 4), adds who set out from a center along a way.
     """
+    x, y, ways, gone, keys, visits, waits = particles
+    cells, options, counts, speeds, slowness, deaths, border = rules
     height, width = cells.shape
     for i in range(first, last):
         way = ways[i]
@@ -161,22 +213,18 @@ def walk_particles(
 
 
 @kernel(parallel=True)
-def walk_in_parallel(
-    steps, x, y, ways, gone, keys, visits, waits,
-    cells, options, counts, speeds, slowness, deaths, border, passed,
-):  # fmt: skip
+def walk_in_parallel(steps, particles, rules, passed):
     """`walk_particles` for all, in as many parts as ``passed``, int64 (parts, h, w, 4), has tables."""
-    parts, n = passed.shape[0], x.size
+    parts, n = passed.shape[0], particles.x.size
     for part in numba.prange(parts):
-        walk_particles(
-            n * part // parts, n * (part + 1) // parts, steps, x, y, ways, gone, keys, visits, waits,
-            cells, options, counts, speeds, slowness, deaths, border, passed[part],
-        )  # fmt: skip
+        first, last = n * part // parts, n * (part + 1) // parts
+        walk_particles(first, last, steps, particles, rules, passed[part])
 
 
 @kernel()
-def record_places(x, y, ways, gone, width, height, places, headings):
+def record_places(particles, width, height, places, headings):
     """Where particles are: places float32 (n, 2), NaN where there is none; headings uint8 (n,)."""
+    x, y, ways, gone, _, _, _ = particles
     for i in range(x.size):
         way = headings[i] = ways[i]
         if way >= FREE:

@@ -1,11 +1,14 @@
 """Growing points in parts of a small torus of tiles: darts of a shrinking radius, then pushing apart.
 
 The torus has W x H tiles; its parts are the corner regions, edge strips and interiors that a radius r
-divides tiles into. ``part_at`` numbers them; ``open`` says which of them take new points.
+divides tiles into. ``part_at`` numbers them.
 """
+
+from typing import NamedTuple
 
 import numba
 import numpy as np
+from numpy.typing import NDArray
 
 from tilewright.kernels.chance import draw_unit, draw_word
 from tilewright.kernels.compiled import kernel
@@ -17,6 +20,47 @@ _SHRINK, _FAILURES = 0.99, 300
 _HALVINGS = 4
 _APART = 1000.0
 """Width and height of a torus so large that nothing meets around it."""
+
+
+class Torus(NamedTuple):
+    """A torus of tiles and its parts."""
+
+    width: int
+    """Tiles along x."""
+    height: int
+    """Tiles along y."""
+    r: float
+    """Radius of the regions around corners and edges, in tiles."""
+    cusp: bool
+    """Whether corner regions are small with cusps, or else octagons."""
+    open: NDArray[np.bool_]
+    """(4 width height,): which parts take new points."""
+
+
+class Effort(NamedTuple):
+    """How points are grown."""
+
+    distance: float
+    """The least distance, in tiles."""
+    lloyd: int
+    """Iterations of Lloyd's method."""
+    attempts: int
+    """Times to begin anew where points do not come apart."""
+    sweeps: int
+    """Rounds of pushing points apart in each attempt."""
+
+
+class Frame(NamedTuple):
+    """The points of corner regions and edge strips, and which of these each of T tiles has around it."""
+
+    items: NDArray[np.int32]
+    """(T, 8): numbers of a tile's corner regions and edge strips."""
+    offsets: NDArray[np.float64]
+    """(8, 2): where these lie in the tile."""
+    points: NDArray[np.float64]
+    """(items, slots, 2), as seen from each item's lattice point."""
+    counts: NDArray[np.int32]
+    """(items,): points of each."""
 
 
 @kernel(inline=True)
@@ -38,12 +82,12 @@ def kind_at(x, y, r, cusp):
 
 
 @kernel(inline=True)
-def part_at(x, y, width, height, r, cusp):
+def part_at(x, y, torus):
     """Number of the part: kind + 4 (column + width row) of its tile or lattice point."""
-    kind = kind_at(x, y, r, cusp)
+    kind = kind_at(x, y, torus.r, torus.cusp)
     column = np.int64(np.floor(x + 0.5)) if kind == 0 or kind == 2 else np.int64(np.floor(x))
     row = np.int64(np.floor(y + 0.5)) if kind == 0 or kind == 1 else np.int64(np.floor(y))
-    return kind + 4 * (column % width + width * (row % height))
+    return kind + 4 * (column % torus.width + torus.width * (row % torus.height))
 
 
 @kernel()
@@ -63,17 +107,18 @@ def is_crowded(x, y, points, count, skip, width, height, least):
 
 
 @kernel()
-def throw_relaxed(key, points, fixed, count, width, height, r, cusp, open, distance):
+def throw_relaxed(key, points, fixed, count, torus, distance):
     """Fill points[fixed:count] by relaxation dart throwing (McCool & Fiume 1992) in the open parts.
 
     The first darts keep ``distance``, which shrinks by a factor after so many failures.
     """
+    width, height = torus.width, torus.height
     failures, thrown = 0, 0
     placed = fixed
     while placed < count:
         x, y = draw_unit(key, thrown) * width, draw_unit(key, thrown + 1) * height
         thrown += 2
-        if open[part_at(x, y, width, height, r, cusp)]:
+        if torus.open[part_at(x, y, torus)]:
             if not is_crowded(x, y, points, placed, -1, width, height, distance * distance):
                 points[placed, 0], points[placed, 1] = x, y
                 placed += 1
@@ -86,12 +131,13 @@ def throw_relaxed(key, points, fixed, count, width, height, r, cusp, open, dista
 
 
 @kernel()
-def push_apart(points, fixed, count, width, height, r, cusp, open, distance, sweeps):
+def push_apart(points, fixed, count, torus, distance, sweeps):
     """Move points[fixed:count] until no two points are closer than ``distance``; whether that came about.
 
     Each sweep moves every point away from those too close, by a little more than half of what is missing,
     or all of it where the other one is fixed. A move out of the open parts is shortened.
     """
+    width, height = torus.width, torus.height
     for _ in range(sweeps):
         crowded = False
         for i in range(fixed, count):
@@ -114,14 +160,14 @@ def push_apart(points, fixed, count, width, height, r, cusp, open, distance, swe
                     else:
                         mx += share
             if mx != 0.0 or my != 0.0:
-                slide(points, i, mx, my, width, height, r, cusp, open)
+                slide(points, i, mx, my, torus)
         if not crowded:
             return True
     return False
 
 
 @kernel()
-def slide(points, i, mx, my, width, height, r, cusp, open):
+def slide(points, i, mx, my, torus):
     """Move point i, by less where the whole way leads out of the open parts: along an axis, or shorter."""
     x, y = points[i, 0], points[i, 1]
     for step in range(_HALVINGS):
@@ -129,17 +175,18 @@ def slide(points, i, mx, my, width, height, r, cusp, open):
         for way in range(3):
             nx = x + (mx * scale if way != 2 else 0.0)
             ny = y + (my * scale if way != 1 else 0.0)
-            if open[part_at(nx, ny, width, height, r, cusp)]:
+            if torus.open[part_at(nx, ny, torus)]:
                 points[i, 0], points[i, 1] = nx, ny
                 return
 
 
 @kernel()
-def relax_cells(points, fixed, count, width, height, r, cusp, open, iterations):
+def relax_cells(points, fixed, count, torus, iterations):
     """Move points[fixed:count] to the centroids of their Voronoi cells, again and again (Lloyd 1982).
 
     A move out of the open parts is shortened (Lagae 2007, section 4.3).
     """
+    width, height = torus.width, torus.height
     extent, walls = np.array([np.float64(width), np.float64(height)]), np.zeros(4)
     moves = np.empty((count, 2))
     polygon, spare = np.empty((64, 3)), np.empty((64, 3))
@@ -157,31 +204,26 @@ def relax_cells(points, fixed, count, width, height, r, cusp, open, iterations):
                     reach = find_reach(polygon, corners)
             _, moves[i, 0], moves[i, 1] = find_centroid(polygon, corners)
         for i in range(fixed, count):
-            slide(points, i, moves[i, 0], moves[i, 1], width, height, r, cusp, open)
+            slide(points, i, moves[i, 0], moves[i, 1], torus)
 
 
 @kernel()
-def grow(key, points, fixed, count, width, height, r, cusp, open, distance, lloyd, attempts, sweeps):
-    """Fill points[fixed:count] so that no two points are closer than ``distance``; whether it succeeded.
+def grow(key, points, fixed, count, torus, effort):
+    """Fill points[fixed:count] so that no two are closer than ``effort.distance``; whether it succeeded.
 
-    Relaxation dart throwing, ``lloyd`` iterations of Lloyd's method, and pushing apart what is still too
+    Relaxation dart throwing, Lloyd's method, and pushing apart what is still too
     close; all over again where that does not come to an end.
     """
-    for attempt in range(attempts):
-        throw_relaxed(
-            draw_word(key, attempt), points, fixed, count, width, height, r, cusp, open, 1.2 * distance
-        )
-        relax_cells(points, fixed, count, width, height, r, cusp, open, lloyd)
-        if push_apart(points, fixed, count, width, height, r, cusp, open, distance, sweeps):
+    for attempt in range(effort.attempts):
+        throw_relaxed(draw_word(key, attempt), points, fixed, count, torus, 1.2 * effort.distance)
+        relax_cells(points, fixed, count, torus, effort.lloyd)
+        if push_apart(points, fixed, count, torus, effort.distance, effort.sweeps):
             return True
     return False
 
 
 @kernel(parallel=True)
-def grow_parts(
-    keys, fixed, fixed_counts, count, width, height, r, cusp, open, distance, lloyd, attempts, sweeps,
-    kind, out, out_counts,
-):  # fmt: skip
+def grow_parts(keys, fixed, fixed_counts, count, torus, effort, kind, out, out_counts):
     """Fill tori around fixed points and cut a part out of each: that of ``kind`` at lattice point (0, 0).
 
     keys : uint64 (m,). fixed : float64 (m, most, 2), fixed_counts : int32 (m,). count : points of a torus.
@@ -193,31 +235,29 @@ def grow_parts(
         n = fixed_counts[m]
         points[:n] = fixed[m, :n]
         out_counts[m] = -1
-        if n > count or not grow(
-            keys[m], points, n, count, width, height, r, cusp, open, distance, lloyd, attempts, sweeps
-        ):
+        if n > count or not grow(keys[m], points, n, count, torus, effort):
             continue
         out_counts[m] = 0
         for i in range(n, count):
             x, y = points[i, 0], points[i, 1]
-            if part_at(x, y, width, height, r, cusp) != kind:
+            if part_at(x, y, torus) != kind:
                 continue
             # An edge reaches from its lattice point to the next one, a corner region around it.
-            x -= width * (np.round(x / width) if kind != 1 else np.floor(x / width))
-            y -= height * (np.round(y / height) if kind != 2 else np.floor(y / height))
+            x -= torus.width * (np.round(x / torus.width) if kind != 1 else np.floor(x / torus.width))
+            y -= torus.height * (np.round(y / torus.height) if kind != 2 else np.floor(y / torus.height))
             out[m, out_counts[m], 0], out[m, out_counts[m], 1] = x, y
             out_counts[m] += 1
 
 
 @kernel()
-def assemble(tile, items, offsets, frame, frame_counts, out):
+def assemble(tile, frame, out):
     """Write the frame points around a tile, in the tile's coordinates; how many there are."""
     n = 0
-    for k in range(items.shape[1]):
-        item = items[tile, k]
-        for s in range(frame_counts[item]):
-            out[n, 0] = frame[item, s, 0] + offsets[k, 0]
-            out[n, 1] = frame[item, s, 1] + offsets[k, 1]
+    for k in range(frame.items.shape[1]):
+        item = frame.items[tile, k]
+        for s in range(frame.counts[item]):
+            out[n, 0] = frame.points[item, s, 0] + frame.offsets[k, 0]
+            out[n, 1] = frame.points[item, s, 1] + frame.offsets[k, 1]
             n += 1
     return n
 
@@ -234,51 +274,46 @@ def count_inside(points, count):
 
 
 @kernel(parallel=True)
-def grow_interiors(
-    keys, items, offsets, frame, frame_counts, wanted, r, cusp, distance, lloyd, attempts, sweeps,
-    inner, inner_counts,
-):  # fmt: skip
+def grow_interiors(keys, frame, wanted, r, cusp, effort, inner, inner_counts):
     """Fill the interior of every tile so that the whole tile holds ``wanted`` points.
 
-    keys : uint64 (m,), one for each interior, variants of a tile one after another. items : int32 (T, 8).
+    keys : uint64 (m,), one for each interior, variants of a tile one after another.
     inner : float64 (m, slots, 2), filled. inner_counts : int32 (m,), points written, or -1 for a tile whose
     interior could not be filled.
     """
-    per_tile = len(keys) // len(items)
+    per_tile = len(keys) // len(frame.items)
     for m in numba.prange(len(keys)):
-        points = np.empty((frame.shape[1] * 8 + inner.shape[1], 2))
+        points = np.empty((frame.points.shape[1] * 8 + inner.shape[1], 2))
         open = np.zeros(16, np.bool_)
         open[3] = True
-        fixed = assemble(m // per_tile, items, offsets, frame, frame_counts, points)
+        fixed = assemble(m // per_tile, frame, points)
         n = wanted - count_inside(points, fixed)
         inner_counts[m] = -1
-        if 0 <= n <= inner.shape[1] and grow(
-            keys[m], points, fixed, fixed + n, 2, 2, r, cusp, open, distance, lloyd, attempts, sweeps
-        ):
+        torus = Torus(2, 2, r, cusp, open)
+        if 0 <= n <= inner.shape[1] and grow(keys[m], points, fixed, fixed + n, torus, effort):
             for s in range(n):
                 inner[m, s, 0], inner[m, s, 1] = points[fixed + s, 0], points[fixed + s, 1]
             inner_counts[m] = n
 
 
 @kernel(parallel=True)
-def move_interiors(
-    items, offsets, frame, frame_counts, r, cusp, distance, moves, sweeps, inner, inner_counts, settled
-):
+def move_interiors(frame, r, cusp, distance, moves, sweeps, inner, inner_counts, settled):
     """Move interior points by ``moves`` and push them apart; say which interiors keep the distance.
 
     moves : float64 (m, slots, 2). settled : bool (m,), filled.
     """
-    per_tile = len(inner) // len(items)
+    per_tile = len(inner) // len(frame.items)
     for m in numba.prange(len(inner)):
-        points = np.empty((frame.shape[1] * 8 + inner.shape[1], 2))
+        points = np.empty((frame.points.shape[1] * 8 + inner.shape[1], 2))
         open = np.zeros(16, np.bool_)
         open[3] = True
-        fixed = assemble(m // per_tile, items, offsets, frame, frame_counts, points)
+        fixed = assemble(m // per_tile, frame, points)
+        torus = Torus(2, 2, r, cusp, open)
         n = inner_counts[m]
         for s in range(n):
             points[fixed + s, 0], points[fixed + s, 1] = inner[m, s, 0], inner[m, s, 1]
-            slide(points, fixed + s, moves[m, s, 0], moves[m, s, 1], 2, 2, r, cusp, open)
-        settled[m] = push_apart(points, fixed, fixed + n, 2, 2, r, cusp, open, distance, sweeps)
+            slide(points, fixed + s, moves[m, s, 0], moves[m, s, 1], torus)
+        settled[m] = push_apart(points, fixed, fixed + n, torus, distance, sweeps)
         for s in range(n):
             inner[m, s, 0], inner[m, s, 1] = points[fixed + s, 0], points[fixed + s, 1]
 

@@ -1,6 +1,7 @@
 """Scanline stochastic tiling: tiles are placed one after another, each at random among those that fit."""
 
 from math import prod
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,9 @@ from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.hashes import MixerHash
 from tilewright.tilings.streams import DRAWS
 from tilewright.tilings.tiling import ArrayTiling
+
+if TYPE_CHECKING:
+    from tilewright.kernels.placing import Fitting
 
 Integers = NDArray[np.int64]
 _MOST_TILES = 2**20
@@ -95,7 +99,7 @@ class _Rows:
         self.near, self.far = zip(
             *(_number_sides(tiles, a) for a in range(tiles.shape.dimension)), strict=True
         )
-        self.fitting: dict[tuple[int, ...], tuple[Integers, Integers, Integers]] = {}
+        self.fitting: dict[tuple[int, ...], Fitting] = {}
 
     def lay(self, y: int, z: int) -> None:
         """Fill one row, whose neighbors to the north and above have been laid."""
@@ -109,7 +113,7 @@ class _Rows:
         beside = self._key(known, [self.far[axis][self.cells[at]] for axis, at in before.items()], len(row))
         # Step 2: the first tile is asked for that alone, the others by the tile to the west too.
         first, rest = self._fitting_when(known), self._fitting_when((*known, 0))
-        laid = place_row(beside, self.far[0], self._count(0), *first, *rest, y, z, DRAWS, self.hash.seed, row)
+        laid = place_row(beside, self.far[0], self._count(0), first, rest, y, z, DRAWS, self.hash.seed, row)
         if laid < len(row):
             neighbors = {0: row[laid - 1]} if laid else {}
             neighbors |= {axis: self.cells[at][laid] for axis, at in before.items()}
@@ -125,13 +129,15 @@ class _Rows:
             key = key * self._count(axis) + number
         return key
 
-    def _fitting_when(self, known: tuple[int, ...]) -> tuple[Integers, Integers, Integers]:
-        """All keys that tiles fit, where the tiles of each start, and the tiles in order of their keys."""
+    def _fitting_when(self, known: tuple[int, ...]) -> "Fitting":
+        """The tiles by what they offer across the known axes."""
+        from tilewright.kernels.placing import Fitting
+
         if known not in self.fitting:
             key = self._key(known, [self.near[axis] for axis in known], len(self.tiles))
             order = np.argsort(key, kind="stable")
             keys, starts = np.unique(key[order], return_index=True)
-            self.fitting[known] = keys, np.append(starts, len(order)), order
+            self.fitting[known] = Fitting(keys, np.append(starts, len(order)), order)
         return self.fitting[known]
 
     def _dead_end(self, cell: tuple[int, ...], neighbors: dict[int, int]) -> str:

@@ -74,7 +74,7 @@ class LaidPoints:
         named: bool = False,
     ) -> tuple[NDArray[Any], NDArray[np.int64]]:
         """Points of a window and, if ``named``, row and column of their cells and numbers in the tile."""
-        from tilewright.kernels.emission import lay_points, lay_whole_tiles
+        from tilewright.kernels.emission import Sides, lay_points, lay_whole_tiles
 
         tiles, function = self.tiles, density if callable(density) else None
         if function is not None:
@@ -93,10 +93,9 @@ class LaidPoints:
         if counts is None:
             lay_whole_tiles(view.cells, tiles.points.ravel(), self._same, x0, y0, target.reshape(-1))
         else:
-            lay_points(
-                view.cells, tiles.starts, tiles.points, tiles.ranks, rank, *view.window.bounds,
-                np.cumsum(counts) - counts, x0, y0, target, named, names,
-            )  # fmt: skip
+            held, sides = (tiles.starts, tiles.points, tiles.ranks), Sides(*view.window.bounds)
+            firsts = np.cumsum(counts) - counts
+            lay_points(view.cells, *held, rank, sides, firsts, x0, y0, target, named, names)
         if function is None:
             return target, names
         kept = self._ranks_of(view, names) < evaluate_density(function, *target.T)
@@ -128,10 +127,8 @@ class LaidPoints:
             rows = slice(top, top + band)
             points = np.empty((int(per_row[rows].sum()), 2))
             firsts = np.cumsum(per_row[rows]) - per_row[rows]
-            lay_first_points(
-                view.cells[rows], quotas[rows], firsts, self.tiles.starts, self.tiles.points,
-                x0, y0 + top, points,
-            )  # fmt: skip
+            starts, held = self.tiles.starts, self.tiles.points
+            lay_first_points(view.cells[rows], quotas[rows], firsts, starts, held, x0, y0 + top, points)
             yield points
 
 

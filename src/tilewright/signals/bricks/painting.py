@@ -1,12 +1,15 @@
 """Paints walls: from the rectangles of bricks and words hashed on lattices to maps of their surface."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.signals.bricks.style import BrickStyle, Look, tint_bricks
+from tilewright.signals.bricks.style import FINISH, BrickStyle, Look, tint_bricks
+
+if TYPE_CHECKING:
+    from tilewright.kernels.brick_drawing import Noise
 
 CHANCES = 11
 """Numbers by chance that a brick is made of."""
@@ -54,19 +57,23 @@ def paint(
         ``color`` uint8 sRGB; ``height`` uint16, 65535 being ``look.relief`` pixels above 0; ``normal`` uint8,
         of those heights, green up; ``roughness`` uint8; ``mortar`` uint8, 255 where mortar is.
     """
-    from tilewright.kernels.brick_drawing import fill_relief, paint_bricks
+    from tilewright.kernels.brick_drawing import Edges, Finish, Surface, fill_relief, paint_bricks
 
     h, w = index.shape
-    height, color = np.empty((h, w), np.float32), np.empty((h, w, 3), np.uint8)
-    roughness, mortar = np.empty((h, w), np.uint8), np.empty((h, w), np.uint8)
+    color, (roughness, mortar) = np.empty((h, w, 3), np.uint8), np.empty((2, h, w), np.uint8)
+    surface = Surface(np.empty((h, w), np.float32), color, roughness, mortar)
     bricks = _describe_bricks(sides, chances, style, look)
     keys = (chances[0] * 2**32).astype(np.uint32) | np.uint32(1)
-    lengths = np.array([look.mortar / 2, look.bevel, look.rounding, look.wobble, style.grain], np.float32)
+    lengths = look.mortar / 2, look.bevel, look.rounding, look.wobble
+    edges = Edges(*(np.float32(length) for length in lengths))
+    finish = Finish(
+        **{name: np.float32(share) for name, share in FINISH.items()}, grain=np.float32(style.grain)
+    )
     noise = lay_noise(words, unit, start, (w, h))
     lime = np.append(style.lime, 0.95).astype(np.float32)
-    paint_bricks(index, bricks, keys, *noise, lengths, lime, height, color, roughness, mortar)
+    paint_bricks(index, bricks, keys, noise, edges, finish, lime, surface)
     levels, normal = np.empty((h - 2, w - 2), np.uint16), np.empty((h - 2, w - 2, 3), np.uint8)
-    fill_relief(height, look.relief, levels, normal)
+    fill_relief(surface.height, look.relief, levels, normal)
     inner = (slice(1, -1), slice(1, -1))
     return {
         "color": color[inner],
@@ -112,8 +119,10 @@ def _weigh_octaves(unit: tuple[int, int]) -> NDArray[np.float32]:
 
 def lay_noise(
     words: Words, unit: tuple[int, int], start: tuple[int, int], extent: tuple[int, int]
-) -> tuple[NDArray[Any], ...]:
+) -> "Noise":
     """Lattice words of all octaves, and where each column and row of pixels lies between them."""
+    from tilewright.kernels.brick_drawing import Noise
+
     found, places, axes = [], [], []
     begin = 0
     for octave, points in enumerate(_octaves(unit)):
@@ -126,7 +135,7 @@ def lay_noise(
     columns, east, rows, south = (
         np.stack([axis[a][part] for axis in axes]) for a in (0, 1) for part in (0, 1)
     )
-    return (
+    return Noise(
         np.concatenate(found),
         np.array(places, np.int64),
         columns.astype(np.int32),

@@ -20,6 +20,42 @@ PALETTES = {
     "gray": ("848482 767878 94928c 686a6c 8a847c 7c8084 606060", "a4a098"),
 }
 """Colors of bricks, and of the mortar between them, in sRGB."""
+FINISH = {
+    # Heights, as shares of the relief. Noise of edges, stains and sand is about -1 to 1.
+    "ragged": 0.35,  # how much sand adds to the wobble of edges
+    "joint": 0.30,  # mean height of mortar
+    "joint_edge": 0.10,  # how uneven it is: its long waves
+    "joint_sand": 0.16,  # and its sand
+    "joint_hollow": 0.12,  # how much deeper it is in the middle between two bricks
+    "pit_slope": 3.0,  # pits are where sand is high: 1 / width of the change, in units of the noise,
+    "pit_onset": 1.65,  # and where it begins, times the slope: from sand of 0.55 on
+    "pit_depth": 0.16,
+    "face_sand": 0.07,  # how sandy the face of a brick is
+    "face_stain": 0.05,  # how wavy it is
+    "rim": 0.50,  # height of a brick at its edge
+    "rim_edge": 0.10,  # how uneven that is
+    # Colors: stains run from one color of the clay to the other.
+    "stain_middle": 0.5,  # share of the second color where the noise is 0
+    "stain_contrast": 0.9,  # how fast the colors change
+    # Mortar smeared over edges.
+    "smear_sand": 0.5,  # how ragged its border is
+    "smear_onset": 0.05,  # the greater, the less is smeared
+    "smear_reach": 0.45,  # how fast it ends, away from the edge, for each bevel
+    "smear_slope": 1.6,  # how sharp its border is
+    # Shades, as factors of the color.
+    "clay_sand": 0.14,
+    "clay_speck": 0.05,  # grain of single pixels
+    "clay_pit": 0.35,  # how dark pits are
+    "clay_rim": 0.9,  # at the edge of a brick
+    "clay_rise": 0.1,  # and how much lighter on its face
+    "lime": 0.80,  # mortar, at the brick
+    "lime_sand": 0.20,
+    "lime_stain": 0.10,
+    "lime_speck": 0.08,
+    "lime_hollow": 0.20,  # how much lighter in the middle between bricks
+    "rough_sand": 0.06,  # how much sand changes the roughness of bricks
+}
+"""The look of the surfaces of bricks and mortar: what noise does to heights, colors and roughness."""
 _MOST_PIXELS = 1024
 
 

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import Progress
-from tilewright.signals.points.anatomy import OFFSETS
-from tilewright.signals.points.plan import Parts, Plan, fill_interiors
+from tilewright.signals.points.plan import SWEEPS, Parts, Plan, fill_interiors
 from tilewright.signals.points.spikes import Spikes, frequencies, mean_spectrum, window_reach
 
 _ROUNDS = 500
@@ -56,7 +55,7 @@ def balance(plan: Plan, parts: Parts, progress: Progress | None = None) -> None:
 
 def settle(plan: Plan, parts: Parts, round: int) -> int:
     """Push the points of every interior apart, fill those anew that stay stuck; how many failed."""
-    stuck = _move_interiors(plan, parts, np.zeros_like(parts.inner), 400)
+    stuck = _move_interiors(plan, parts, np.zeros_like(parts.inner), SWEEPS)
     return fill_interiors(plan, parts, stuck, 1 + round, 50) if len(stuck) else 0
 
 
@@ -133,8 +132,6 @@ def _move_interiors(plan: Plan, parts: Parts, moves: NDArray[np.float64], sweeps
     from tilewright.kernels.growth import move_interiors
 
     settled = np.zeros(len(parts.inner), bool)
-    move_interiors(
-        plan.anatomy.items, OFFSETS, parts.frame, parts.frame_counts, *plan.shape_settings, plan.distance,
-        moves, sweeps, parts.inner, parts.inner_counts, settled,
-    )  # fmt: skip
+    frame, radius, distance = parts.frame_around(plan.anatomy.items), plan.shape_settings, plan.distance
+    move_interiors(frame, *radius, distance, moves, sweeps, parts.inner, parts.inner_counts, settled)
     return np.flatnonzero(~settled)

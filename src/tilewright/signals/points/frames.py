@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.seeds import derive_key
 from tilewright.signals.points.anatomy import COLUMN_EDGE, CORNER_PART, ROW_EDGE
-from tilewright.signals.points.plan import Parts, Plan
+from tilewright.signals.points.plan import SWEEPS, Parts, Plan
 from tilewright.tiles import CORNER
 
-_ATTEMPTS, _SWEEPS = 20, 400
+_ATTEMPTS = 20
 _ROUNDS = 8
 _POOL, _CANDIDATES = 192, 10
 _RASTER = 512
@@ -44,6 +44,7 @@ class Batch:
 
 def grow_frame(plan: Plan, parts: Parts, *, choose: bool, progress: Progress | None = None) -> None:
     """Grow all frame items; with ``choose`` the best of several candidates for each, see `Chooser`."""
+    # Step 1: which parts come first: corners (Lagae & Dutré 2006, 7.1) or edges (Lagae 2007, 4.3).
     kinds = (CORNER_PART, ROW_EDGE, COLUMN_EDGE)
     order = kinds if plan.tiles.shape is CORNER else (ROW_EDGE, COLUMN_EDGE, CORNER_PART)
     first = order[:1] if plan.tiles.shape is CORNER else order[:2]
@@ -51,36 +52,44 @@ def grow_frame(plan: Plan, parts: Parts, *, choose: bool, progress: Progress | N
     for step, kind in enumerate(order):
         if progress is not None:
             progress(step, len(order), "growing the frame")
+        # Step 2: candidates for all parts of a kind, between the parts that are there already.
         batch = _grow_kind(plan, parts, kind, kind in first, choose)
+        # Step 3: one of them for each part, which from now on is fixed.
         chosen = _first_of_each(batch) if chooser is None else chooser.choose(batch)
         parts.frame[batch.items, : batch.points.shape[1]] = batch.points[chosen]
         parts.frame_counts[batch.items] = batch.counts[chosen]
 
 
 def _grow_kind(plan: Plan, parts: Parts, kind: int, is_first: bool, choose: bool) -> Batch:
-    """Candidates for the items of a kind: as first ones from free tori, else between their neighbors."""
+    """Candidates for the items of a kind: as first ones from free tori, else between their neighbors.
+
+    Figures in the comments are those of Lagae & Dutré 2006, section 7.1.
+    """
+    # Step 1: how many candidates: first ones are all alike and shared, later ones belong to an item.
     items = np.flatnonzero(plan.anatomy.kinds == kind)
     if is_first:
         owners = np.full(_POOL, -1) if choose else np.arange(len(items))
     else:
         owners = np.repeat(np.arange(len(items)), _CANDIDATES if choose else 1)
+    # Step 2: a torus around each, with the parts that meet the item in their places (figures 13a, 14a).
     size = (1, 1) if is_first else {CORNER_PART: (2, 2), ROW_EDGE: (2, 1), COLUMN_EDGE: (1, 2)}[kind]
     around = _Surroundings.of(plan, parts, kind, size, items[owners], is_first)
     points = np.zeros((len(owners), parts.frame.shape[1], 2))
     counts = np.full(len(owners), -1, np.int32)
-    from tilewright.kernels.growth import grow_parts
+    from tilewright.kernels.growth import Effort, Torus, grow_parts
 
+    torus = Torus(*size, *plan.shape_settings, around.open)
+    effort = Effort(plan.distance, plan.lloyd, _ATTEMPTS, SWEEPS)
+    # Step 3: fill the torus by darts and Lloyd's method and cut the part out (figures 13 and 14, b to d).
     for round in range(_ROUNDS):
         missing = np.flatnonzero(counts < 0)
         if len(missing) == 0:
             break
         keys = np.array([derive_key(plan.key, kind, round, int(m)) for m in missing], np.uint64)
         made, made_counts = np.zeros((len(missing), *points.shape[1:])), np.zeros(len(missing), np.int32)
-        grow_parts(
-            keys, around.fixed[missing], around.fixed_counts[missing], plan.points * size[0] * size[1],
-            *size, *plan.shape_settings, around.open, plan.distance, plan.lloyd, _ATTEMPTS, _SWEEPS, kind,
-            made, made_counts,
-        )  # fmt: skip
+        fixed, fixed_counts = around.fixed[missing], around.fixed_counts[missing]
+        count = plan.points * size[0] * size[1]
+        grow_parts(keys, fixed, fixed_counts, count, torus, effort, kind, made, made_counts)
         points[missing], counts[missing] = made, made_counts
         good = counts >= 0
         if choose and len(np.unique(owners[good])) == len(np.unique(owners)):

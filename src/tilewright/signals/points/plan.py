@@ -1,6 +1,7 @@
 """What is to be built, and the points of its parts while it is being built."""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,8 +20,13 @@ from tilewright.signals.points.anatomy import (
 )
 from tilewright.tiles import TileSet
 
+if TYPE_CHECKING:
+    from tilewright.kernels.growth import Frame
+
 _SLACK = 1e-5
 """How much farther apart points are built than promised, for rounding to float32."""
+SWEEPS = 400
+"""Rounds of pushing points apart, after which they count as stuck."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,6 +132,12 @@ class Parts:
         """Which places of `inner` hold points."""
         return np.arange(self.inner.shape[1]) < self.inner_counts[:, np.newaxis]
 
+    def frame_around(self, items: NDArray[np.int32]) -> "Frame":
+        """The frame points as kernels take them, for tiles of the given items."""
+        from tilewright.kernels.growth import Frame
+
+        return Frame(items, OFFSETS, self.frame, self.frame_counts)
+
     def all_points(self, plan: Plan) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Every point of the set once, and how often it occurs for each tile: (P, 2) and (P,)."""
         per_item = np.repeat(plan.anatomy.weights, self.frame_counts)
@@ -152,15 +164,14 @@ class Parts:
 
 def fill_interiors(plan: Plan, parts: Parts, which: NDArray[np.intp], round: int, attempts: int) -> int:
     """Fill some interiors anew so that their tiles hold the planned number of points; how many failed."""
-    from tilewright.kernels.growth import grow_interiors
+    from tilewright.kernels.growth import Effort, grow_interiors
 
     keys = np.array([derive_key(plan.key, INTERIOR, round, int(m)) for m in which], np.uint64)
     inner = np.zeros((len(which), *parts.inner.shape[1:]))
     counts = np.zeros(len(which), np.int32)
-    grow_interiors(
-        keys, plan.anatomy.items[which // plan.variants], OFFSETS, parts.frame, parts.frame_counts,
-        plan.points, *plan.shape_settings, plan.distance, plan.lloyd, attempts, 400, inner, counts,
-    )  # fmt: skip
+    frame = parts.frame_around(plan.anatomy.items[which // plan.variants])
+    effort = Effort(plan.distance, plan.lloyd, attempts, SWEEPS)
+    grow_interiors(keys, frame, plan.points, *plan.shape_settings, effort, inner, counts)
     made = counts >= 0
     parts.inner[which[made]] = inner[made]
     parts.inner_counts[which[made]] = counts[made]
