@@ -70,7 +70,8 @@ def jones_darts(
     def run(distance: float, most: int, first: int) -> tuple[NDArray[np.float64], bool]:
         points, rows = np.empty((most, 2)), np.empty((9 * n + 64, 3))
         tree = np.zeros(2 << (most - 1).bit_length())
-        diagram = Diagram(points, extent, domain.torus, *np.zeros((3, most), np.int64), tree)
+        starts, corners, room = np.zeros((3, most), np.int64)
+        diagram = Diagram(points, extent, domain.torus, starts, corners, room, tree)
         placed = used = 0
         while placed == 0 or (placed < most and tree[1] > 0):
             if progress is not None:
