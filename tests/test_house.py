@@ -11,6 +11,8 @@ import tilewright
 
 SOURCE = Path(tilewright.__file__).parent
 STUBS = sorted(SOURCE.rglob("__init__.pyi"))
+MOST_ARGUMENTS = 12
+"""Of a kernel: what belongs together is handed over in a NamedTuple."""
 
 
 def exported(stub: Path) -> list[str]:
@@ -47,3 +49,13 @@ def test_import_loads_neither_numba_nor_scipy():
 def test_no_source_file_is_longer_than_400_lines():
     long = [p.name for p in SOURCE.rglob("*.py") if len(p.read_text().splitlines()) > 400]
     assert not long
+
+
+def test_no_kernel_takes_more_than_12_arguments():
+    many = {
+        f"{path.name} {node.name}"
+        for path in (SOURCE / "kernels").glob("*.py")
+        for node in ast.walk(ast.parse(path.read_text()))
+        if isinstance(node, ast.FunctionDef) and len(node.args.args) > MOST_ARGUMENTS
+    }
+    assert not many

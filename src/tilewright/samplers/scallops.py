@@ -70,8 +70,8 @@ def scallop_log(
     grown = _Growth(count, rho, "scallop-log", 1000, seed, box, 4.0)
     rows = np.empty((2 * grown.most + 64, FIELDS))
     tree = np.zeros(2 << (grown.most - 1).bit_length())
-    starts, counts, room = np.zeros((3, grown.most), np.int64)
-    regions = Regions(starts, counts, room, tree)
+    starts, sizes, room = np.zeros((3, grown.most), np.int64)
+    regions = Regions(starts, sizes, room, tree)
     placed = used = 0
     while placed == 0 or tree[1] > 0:
         grown.report(progress, placed)

@@ -13,15 +13,34 @@ from tilewright.errors import Progress
 from tilewright.signals.points.plan import SWEEPS, Parts, Plan, fill_interiors
 from tilewright.signals.points.spikes import Spikes, frequencies, mean_spectrum, window_reach
 
+# What was seen when a number was changed: the highest spike within the periodogram over the mean of the
+# spectrum (`Spikes.window` over ``floor``), for four sets of `corner_tiles(2)` with 16 points at rho 0.7.
+# As the numbers stand it is 2.33, and its spread from set to set is 0.08: less than that is no difference.
 _ROUNDS = 500
+"""Rounds of moving all points. With 250 spikes are at 2.38, with 1000 at 2.17 in twice the time."""
 _WARM = 20
+"""First rounds, which pull at all frequencies by half, not at spikes only. 10 and 40 make no difference."""
+_WARM_PULL = 0.5
+"""Share of every frequency that these rounds pull at."""
 _MEND = 0.6
-"""Share of the rounds after which stuck tiles are filled anew."""
+"""Share of the rounds after which stuck tiles are filled anew. At rho 0.7 it changes nothing; at 0.85
+spikes are at 3.09, and at 3.61 without it."""
 _START = 2.5
+"""The first limit of spikes, in means of the spectrum. 1.25 and 5 end at 2.21 and 2.25."""
 _LOWER, _RAISE, _NEAR = 0.99, 1.003, 1.1
-_GAIN, _STEP = 0.7, 0.05
-"""Share of an excess that a round takes away, and the farthest way of a point in mean spacings."""
+"""The limit is lowered by the first factor where the highest spike is below ``_NEAR`` times the limit, else
+raised by the second. 0.98, 0.995, 1.0015, 1.006 and a near of 1.05 make no difference; 1.2 ends at 2.19."""
+_GAIN = 0.7
+"""Share of an excess that a round takes away. 0.35 ends at 2.38, 1.4 at 2.15."""
+_STEP = 0.05
+"""The farthest way of a point in a round, in mean spacings. 0.025 and 0.1 make no difference."""
 _RING = 0.3
+"""Power of the crowding of frequencies on a ring by which the limit is lowered there; 0 asks the same of all.
+With 0 spikes are at 1.92, with 0.6 at 2.86: lower rings are paid for with higher spikes elsewhere."""
+_RING_LOWEST = 0.4
+"""The lowest limit of a ring, as a share of that elsewhere."""
+_SWEEPS = 4
+"""Rounds of pushing interior points apart after each move; what they leave crowded the next ones push on."""
 
 
 def balance(plan: Plan, parts: Parts, progress: Progress | None = None) -> None:
@@ -42,7 +61,7 @@ def balance(plan: Plan, parts: Parts, progress: Progress | None = None) -> None:
         if height.max() < lowest:
             lowest, best = float(height.max()), parts.copy()
         if round < _WARM:
-            pull = np.full(height.shape, 0.5)
+            pull = np.full(height.shape, _WARM_PULL)
         else:
             pull = 1 - np.sqrt(limit / np.maximum(height, limit))
             limit *= _LOWER if height.max() < _NEAR * limit else _RAISE
@@ -71,7 +90,7 @@ def _ring_shape(plan: Plan, reach: int) -> NDArray[np.float64]:
     ring = np.rint(radius * along).astype(int)
     crowd = np.bincount(ring.ravel())[ring]
     expected = np.maximum(2 * np.pi * radius / along, 1)
-    return np.clip((expected / crowd) ** _RING, 0.4, 1)
+    return np.clip((expected / crowd) ** _RING, _RING_LOWEST, 1)
 
 
 class _PoissonEquation:
@@ -124,7 +143,7 @@ def _move(
     )
     inner = np.zeros_like(parts.inner)
     inner[parts.inner_slots] = velocity[here:]
-    _move_interiors(plan, parts, inner, 4)
+    _move_interiors(plan, parts, inner, _SWEEPS)
 
 
 def _move_interiors(plan: Plan, parts: Parts, moves: NDArray[np.float64], sweeps: int) -> NDArray[np.intp]:

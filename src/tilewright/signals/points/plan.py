@@ -24,9 +24,11 @@ if TYPE_CHECKING:
     from tilewright.kernels.growth import Frame
 
 _SLACK = 1e-5
-"""How much farther apart points are built than promised, for rounding to float32."""
+"""How much farther apart points are built than promised, as a share. Rounding to float32 takes away up to
+1e-7 of a tile, which is 2e-6 of the distance of 256 points at rho 0.75."""
 SWEEPS = 400
-"""Rounds of pushing points apart, after which they count as stuck."""
+"""Rounds of pushing points apart, after which they count as stuck. 100 gave the same sets at rho 0.7; at 0.85
+their spikes (see balance.py) were as high, 3.13 and 3.09."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,18 +27,27 @@ from tilewright.signals.textures.search import (
     Place,
 )
 
+# What was seen when a number was changed: three sets of `corner_tiles(2)` of 32 pixels from a picture of
+# smooth noise, told by two figures of `analyze`. As the numbers stand, color steps across cuts are 1.36 times
+# those elsewhere (``cut_line_ratio``), and 0.18 is shared by two cells (``same_place_share``).
 OVERLAP = 0.11
-"""Half the width in which two corner patches are cut, in tiles."""
+"""Half the width in which two corner patches are cut, in tiles. At 0.06 and 0.20 steps are 1.33 and 1.34
+times: no difference in noise. Wide ones have room to go around things, and take more of the photograph."""
 EDGE_CORE = (0.22, 0.12)
-"""Half-length and half-width of the part an edge patch must fill, in tiles."""
+"""Half-length and half-width of the part an edge patch must fill, in tiles. At half of both steps are 1.32
+times, and 0.20 is shared; at (0.35, 0.20) they are 1.43 times, and 0.16 is."""
 CENTER_CORE = 0.30
-"""Half-width of the part a center patch must fill, in tiles."""
+"""Half-width of the part a center patch must fill, in tiles. At 0.15 steps are the same, but 0.24 is shared;
+at 0.40 they are 1.49 times, and 0.14 is shared."""
 MIXED_CORE = 0.5
-"""The cores shrink to this where two sources meet, so that the cut decides where one ends."""
+"""The cores shrink to this share where two sources meet, so that the cut decides where one ends."""
 EDGE_PLAINNESS, CENTER_PLAINNESS = 0.7, 0.3
-"""How much a conspicuous place is marked down; corner patches recur most and have their own."""
+"""How much a conspicuous place is marked down: a factor on its misfit, for each unit by which it stands out.
+Corner patches recur most and have their own. In noise, where nothing stands out, none and twice as much are
+alike."""
 RECURRENCE = 0.17
-"""What every older pixel costs that an edge patch or a center patch leaves, see `Opening`."""
+"""What every older pixel costs that an edge patch or a center patch leaves, see `Opening`, in steps between
+neighboring pixels of the photograph. Without it 0.186 is shared, with 0.34 it is 0.179."""
 
 
 def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, variants: int = 1) -> Patchwork:
