@@ -8,7 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 import tilewright as tw
-from tilewright.cli.main import app
+from tilewright.cli.main import app, names_of
 from tilewright.errors import TilewrightError
 from tilewright.export.drawing.walls import draw_wall
 from tilewright.fields import TextureField
@@ -201,7 +201,7 @@ def test_the_command_writes_what_the_name_says(tmp_path):
 def test_the_command_refuses_in_one_line(message, options, tmp_path):
     refused = call("-o", tmp_path / "wall.npy", *options)
     assert isinstance(refused.exception, TilewrightError)
-    assert message in str(refused.exception)
+    assert message in refused.exception.told(names_of(["bricks"]))
     assert not list(tmp_path.iterdir())
 
 

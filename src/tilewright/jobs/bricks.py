@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     Wall = Tiling | BrickRegion | BrickPattern
 
 _MOST_CELLS = 2**24
-_LOOK = ("colors", "mortar", "bevel", "map", "size")
+_LOOK = ("colors", "mortar", "bevel", "map")
 _CLASH = "ask for different walls; give one of them"
 
 
