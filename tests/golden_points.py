@@ -83,7 +83,7 @@ def point_fields():
     yield "points", field.points(-3.5, 2.25, 6, 4.5)
     yield "points local", field.points(2**40 + 0.5, -(2**40), 4, 4, local=True)
     yield "points thinned", field.points(0, 0, 8, 8, density=0.3)
-    yield "points by a function", field.points(0, 0, 8, 8, density=lambda p: (p[:, 0] % 8) / 8)
+    yield "points by a function", field.points(0, 0, 8, 8, density=lambda x, y: (x % 8) / 8)
     yield "sample", field.sample(500)
     yield "sample of a window", field.sample(300, -2.5, 1, 5, 7.5)
     yield "sample blocks", np.concatenate(list(field.sample_blocks(700, -5, 3)))
