@@ -170,9 +170,9 @@ def walls():
     ringed = tw.BondBricks("running-bond", (48, 16), period=(4, 6))
     patterns["closed bond"] = (tw.BrickField(ringed, seed=9), (150, 80))
     for name, (field, corner) in patterns.items():
-        for map, pixels in field.render(*corner, 110, 60).items():
+        for map, pixels in field.render_maps(*corner, 110, 60).items():
             yield f"{name} {map}", pixels
-        yield f"{name} preview", field.preview(*corner, 110, 60)
+        yield f"{name} preview", field.render(*corner, 110, 60)
         found = field.bricks(*corner, 110, 60)
         yield f"{name} sides", found.sides
         yield f"{name} ids", found.ids

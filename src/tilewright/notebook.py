@@ -31,7 +31,7 @@ _SPARE = 0.6
 
 
 def paint_png(thing: Any) -> bytes | None:
-    """A picture of a thing as PNG, or None where there is nothing to see.
+    """Paint a small picture of a thing, as notebooks show it.
 
     Parameters
     ----------
@@ -41,7 +41,14 @@ def paint_png(thing: Any) -> bytes | None:
     Returns
     -------
     bytes or None
-        None of sets of more than 256 tiles, of volumes, and of things of no kind above.
+        A PNG of up to 640 x 400 pixels; None of sets of more than 256 tiles, of volumes, and of things of no
+        kind above.
+
+    Examples
+    --------
+    >>> import tilewright as tw
+    >>> tw.paint_png(tw.corner_tiles(2))[1:4]
+    b'PNG'
     """
     from PIL import Image
 

@@ -6,6 +6,7 @@ Hashes color the integer lattice; slots follow from the colors around a cell. Wi
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from math import lcm
 
 import numpy as np
@@ -197,7 +198,7 @@ def _edge_slots(planes: list[Colors]) -> Slots:
 
 @dataclass(frozen=True)
 class Algorithm:
-    """How a direct tiling finds the colors of every slot of a window.
+    """How a direct tiling finds the colors of every slot of a window; it travels between processes.
 
     Attributes
     ----------
@@ -217,12 +218,20 @@ class Algorithm:
 
 
 def _of_corners(name: str, colors: Callable[[Lattice], Colors]) -> Algorithm:
-    return Algorithm(name, lambda at: corner_slots(colors(at)))
+    return Algorithm(name, partial(_slots_of_corners, colors))
+
+
+def _slots_of_corners(colors: Callable[[Lattice], Colors], at: Lattice) -> Slots:
+    return corner_slots(colors(at))
 
 
 def _marked(base: Algorithm) -> Algorithm:
     """Edges by another algorithm, and marks at the corners."""
-    return Algorithm(f"marked-{base.name}", lambda at: base.slots(at) + corner_slots(marks(at)), base)
+    return Algorithm(f"marked-{base.name}", partial(_slots_with_marks, base), base)
+
+
+def _slots_with_marks(base: Algorithm, at: Lattice) -> Slots:
+    return base.slots(at) + corner_slots(marks(at))
 
 
 CORNERS = _of_corners("corners", corners)
