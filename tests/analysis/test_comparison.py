@@ -70,7 +70,7 @@ def test_a_comparison_measures_and_saves(small, tmp_path):
 
 def test_what_takes_too_long_is_listed_as_not_run(small, monkeypatch):
     slow = contenders.Contender("slow", "nobody", 100.0, lambda seed, progress: pytest.fail("was run"))
-    monkeypatch.setattr("tilewright.analysis.comparison.list_contenders", lambda: {"slow": slow})
+    monkeypatch.setattr("tilewright.analysis.points.comparison.list_contenders", lambda: {"slow": slow})
     found = tw.compare()
     assert "not run, 10 sets would take about 1000 s" in found.table()
     assert found.reports == []

@@ -111,7 +111,8 @@ def numbers(
         "scale_x": wide,
         "scale_y": scale,
         "scale_type": "float",
-        "gradient": scale if array or variants == 1 else f"vector({wide}, {scale}, 0.0)",
+        # Of an atlas that is wider than high, texture systems take its height for the level.
+        "gradient": scale,
         "gutter": real((gutter or 0) / texels),
         "variants": str(variants),
         "several": variants > 1,
