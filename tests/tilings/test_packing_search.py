@@ -246,7 +246,7 @@ def test_the_command(tmp_path, capsys, monkeypatch):
         (("--colors", 3, "--count"), "packings are counted for up to 16"),
         (("--method", "luck", "-o", file), "allowed are closed, search, recursive"),
         (("-o", tmp_path / "p.gif"), "allowed are .npy, .svg, .png"),
-        (("--picture", "a.png", "-o", file), "give it with -o FILE.svg"),
+        (("--picture", "a.png", "-o", file), "give it with a FILE.svg"),
     ):
         code, said = call("pack", *arguments)
         assert code == 2
