@@ -92,7 +92,7 @@ def test_the_osl_shader_draws_the_pixels_of_the_field(in_blender, tmp_path):
 
 
 def test_blender_renders_the_pixels_of_the_field(in_blender, tmp_path):
-    made = [handmade(tw.corner_tiles(colors), 16) for colors in (2, 3, 6)]
+    made = [*(handmade(tw.corner_tiles(colors), 16) for colors in (2, 3, 6)), with_variants(2, 3)]
     jobs = []
     for n, material in enumerate(made):
         save_for_engine(material, tmp_path / str(n), "blender", seed=7)

@@ -11,7 +11,7 @@ from tilewright.files.images import lossless_suffix, write_image
 def write(folder: Path, kit: Kit) -> None:
     """Fill a folder."""
     files = write_pictures(folder, kit)
-    shader = fill("blender/tilewright.osl", lookup=kit.lookup("osl"))
+    shader = fill("blender/tilewright.osl", lookup=kit.lookup("osl"), **kit.numbers())
     (folder / "tilewright.osl").write_text(shader, encoding="utf-8")
     slots = kit.slots
     light = [s for s, map in slots.items() if kit.material.kinds[map] == "color"]
