@@ -1,10 +1,13 @@
 """Benchmarks record their ratios; when all have run, these are compared with the stored ones."""
 
+from pathlib import Path
+
 import pytest
 
 from ratios import STORED, compare_ratios, read_ratios, store_ratios
 
 FOUND = pytest.StashKey()
+PHOTOGRAPHS = Path(__file__).parents[2] / "shared" / "data" / "textures"
 
 
 def pytest_addoption(parser):

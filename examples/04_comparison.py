@@ -2,7 +2,7 @@
 
 The same by a command::
 
-    tilewright compare -o comparison --methods "uniform,jittered" --sets 2 --seed 1
+    tilewright compare -o comparison --methods "uniform,jittered" --sets 1 --seed 1
 """
 
 import argparse
@@ -14,7 +14,7 @@ import tilewright as tw
 def main(out: Path) -> None:
     """Measure two methods, and write figures and pictures."""
     out.mkdir(parents=True, exist_ok=True)
-    found = tw.compare(["uniform", "jittered"], sets=2, seed=1)
+    found = tw.compare(["uniform", "jittered"], sets=1, seed=1)
     found.save(out / "comparison")
     print(found.table())
 

@@ -40,20 +40,27 @@ def all_dappled(width, height, limits, cyclic=False):
 
 
 @pytest.mark.parametrize("cyclic", [False, True])
-def test_the_closest_is_that_of_trying_all_for_every_3_by_3_input(cyclic):
+def test_the_closest_is_that_of_trying_all_for_3_by_3_inputs(cyclic):
     solutions = all_dappled(3, 3, PAPER, cyclic)
     assert len(solutions) == 174
-    beaten = 0
-    for bits in itertools.islice(itertools.product((0, 1), repeat=9), 0, None, 7 if cyclic else 1):
+    for bits in itertools.islice(itertools.product((0, 1), repeat=9), 0, None, 7 if cyclic else 3):
         start = np.array(bits, np.uint8)
         best = (solutions != start).sum(axis=1).min()
         found = closest_dapple(start.reshape(3, 3), PAPER, cyclic=cyclic)
         assert found.distance == found.bound == best
         assert (found.tiling.ravel() != start).sum() == best
         assert is_dappled(found.tiling, PAPER, cyclic)
-        beaten += not cyclic and (rectify(start.reshape(3, 3), PAPER).ravel() != start).sum() > best
-    # Algorithm 1 misses the closest for 86 of the 512, which section 6 (3) says of one.
-    assert beaten == (0 if cyclic else 86)
+
+
+def test_algorithm_1_misses_the_closest_for_86_of_512():
+    """Section 6 (3) says it of one."""
+    solutions = all_dappled(3, 3, PAPER, cyclic=False)
+    beaten = 0
+    for bits in itertools.product((0, 1), repeat=9):
+        start = np.array(bits, np.uint8)
+        best = (solutions != start).sum(axis=1).min()
+        beaten += (rectify(start.reshape(3, 3), PAPER).ravel() != start).sum() > best
+    assert beaten == 86
 
 
 def test_example_6_1_is_closer_than_algorithm_1():

@@ -1,6 +1,7 @@
-"""The default setting on every photograph at hand: cuts and repetition together, by numbers.
+"""Nested patches on photographs of two kinds: cuts and repetition together, by numbers.
 
-Numbers do not settle it: the sheets of ``tilewright analyze`` are for looking.
+Numbers do not settle it: the sheets of ``tilewright analyze`` are for looking. ``make bench`` measures all
+photographs.
 """
 
 import pytest
@@ -8,17 +9,7 @@ import pytest
 import tilewright as tw
 
 # Photograph -> largest cut-line ratio, as a color step across cuts over that inside the photograph.
-CUT_LINES = {
-    "sand": 1.00,
-    "grass": 1.00,
-    "pebbles": 1.00,
-    "leaves_albedo": 1.00,
-    "straw_dense": 1.00,
-    "straw_sparse": 1.00,
-    "cobblestone": 1.03,
-    "stone_wall": 1.20,
-    "weave": 1.00,
-}
+CUT_LINES = {"stone_wall": 1.20}
 
 
 @pytest.mark.parametrize("name", CUT_LINES)
@@ -28,8 +19,7 @@ def test_sixteen_corner_tiles_of_a_photograph(photograph, name):
     assert figures["same_place_share"] <= 0.17
     assert figures["edge_cut_share"] <= 0.03
     assert figures["tone_step_ratio"] <= 1.3
-    if name != "weave":  # a weave agrees with itself at such lags
-        assert figures["repetition"] <= 0.17
+    assert figures["repetition"] <= 0.17
 
 
 def test_gravel_whose_stones_are_all_edges(gravel):
