@@ -8,6 +8,7 @@ from timing import best
 
 SIDE = 4096
 RARER = {
+    "classed": lambda: tw.direct(tw.classed_corner_tiles(2), 5),
     "sums": lambda: tw.direct(tw.summed_wang_tiles(3), 5),
     "bits": lambda: tw.direct(tw.shifted_wang_tiles(4), 5),
     "diagonals": lambda: tw.direct(tw.corner_tiles(4, choices=2), 5),

@@ -27,9 +27,10 @@ def main() -> None:
             import skimage.data
 
             photo = skimage.data.gravel()
-    with step("tile set: 16 corner tiles", out / "tiles"):
-        material = tw.texture_tiles(photo, tw.corner_tiles(colors=2), tile_size="auto", seed=1)
+    with step("tile set", out / "tiles"):
+        material = tw.texture_tiles(photo, method="faithful", seed=1)
         tw.save(material, out / "tiles")
+    print(f"          {describe(material)}")
     with step("picture: 4096 x 4096 pixels of the endless plane", out / "plane.png"):
         field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
         field.save(out / "plane.png", width=4096, height=4096)
@@ -40,6 +41,19 @@ def main() -> None:
         points = tw.PointField(blue, tw.direct(blue.tiles, seed=7))
         tw.write_points(out / "points.npy", points.sample(1_000_000))
     print(f"\nOpen {out / 'viewer.html'} in a browser.")
+
+
+def describe(material: tw.TextureTiles) -> str:
+    """What the photograph asked for."""
+    asked = {
+        "courses": "their rows or columns keep step with the photograph's",
+        "things": "large enough for its things",
+        "even": "its tone is laid outside them" if material.tone else "of even tone",
+    }
+    size = material.tile_size
+    return (
+        f"{len(material.tiles)} corner tiles of {size} x {size} pixels: {asked[material.recipe['treatment']]}"
+    )
 
 
 class step:

@@ -16,7 +16,7 @@ GAP = 16
 def main() -> None:
     """Make the picture."""
     photo = skimage.data.gravel()
-    material = tw.texture_tiles(photo, tw.corner_tiles(3), tile_size=128, seed=1)
+    material = tw.texture_tiles(photo, method="faithful", seed=1)
     field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
     plane = field.render(-1000, 2000, 2 * SIDE, 2 * SIDE)[..., 0]
     repeated = np.tile(photo[:256, :256], (5, 5))

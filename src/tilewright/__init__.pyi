@@ -122,6 +122,7 @@ from .tiles import (
     TileSet as TileSet,
     Variants as Variants,
     as_wang_tiles as as_wang_tiles,
+    classed_corner_tiles as classed_corner_tiles,
     cohen_tiles as cohen_tiles,
     column_corner_tiles as column_corner_tiles,
     compact_corner_cubes as compact_corner_cubes,

@@ -117,9 +117,10 @@ needs_godot = pytest.mark.skipif(
 
 @needs_godot
 @pytest.mark.browser
-@pytest.mark.parametrize(("colors", "variants"), [(1, 1), (2, 1), (6, 1), (2, 3), (4, 3)])
+@pytest.mark.parametrize(("colors", "variants"), [(1, 1), (6, 1), (2, 3), (4, 3), ("classed", 1)])
 def test_godot_renders_the_pixels_of_the_field(colors, variants, browser, tmp_path):
-    material = with_variants(colors, variants)
+    classed = colors == "classed"
+    material = handmade(tw.classed_corner_tiles(2, 5)) if classed else with_variants(colors, variants)
     save_for_engine(material, tmp_path / "godot", "godot", seed=7)
     drawn, errors = in_godot.draw(browser, tmp_path / "godot", 8, (-3, -5), 128)
     field = tw.TextureField(material, tw.direct(material.tiles, seed=7))

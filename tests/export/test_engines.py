@@ -117,6 +117,34 @@ def test_a_dialect_draws_the_pixels_of_the_field(dialect, colors, atlas, device,
         np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 128, 96))
 
 
+@pytest.mark.parametrize(("colors", "classes", "variants"), [(2, 5, 1), (2, 5, 3), (3, 2, 1)])
+@pytest.mark.parametrize("dialect", DRAWN)
+def test_a_dialect_draws_tiles_in_classes(dialect, colors, classes, variants, device, tmp_path):
+    tiles = tw.classed_corner_tiles(colors, classes)
+    material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, variants))
+    kit = prepare(material, 9)
+    levels, _ = kit.levels("map0")
+    field = tw.TextureField(material, tw.direct(tiles, seed=9))
+    for cell in ((-5, -3), (1000, -900000), (2**22 + 1, -(2**22)), (-1, 2**22 - 7)):
+        texel = (16 * cell[0] + 3, 16 * cell[1] + 5)
+        drawn = dialects.draw(
+            device, dialect, include_of(dialect, kit), levels, 16, texel, (64, 48), tmp_path, atlas=False
+        )
+        np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 64, 48))
+
+
+def test_what_an_atlas_cannot_hold_is_refused(tmp_path):
+    classed = handmade(tw.classed_corner_tiles(2, 5))
+    with pytest.raises(TilewrightError, match="takes an atlas; make the texture over corner_tiles"):
+        tw.save_for_engine(classed, tmp_path / "a", "unreal")
+    toned = tw.texture_tiles(
+        np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8), method="faithful", tone=True
+    )
+    with pytest.raises(TilewrightError, match="tone=False"):
+        tw.save_for_engine(toned, tmp_path / "a", "glsl")
+    assert not list(tmp_path.iterdir())
+
+
 # As array and as atlas; 3 colors in 4 variants are more layers than all devices have.
 SEVERAL = [(d, c, v, False) for d in DRAWN for c, v in ((2, 3), (3, 2))]
 SEVERAL += [(d, c, v, True) for d in (*DRAWN, "unreal") for c, v in ((2, 3), (3, 4), (4, 2))]

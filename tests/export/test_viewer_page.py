@@ -1,9 +1,11 @@
 """The viewer page in headless Chromium: the same pixels as Python's, and controls that work."""
 
 import base64
+import dataclasses
 
 import numpy as np
 import pytest
+from scipy.ndimage import gaussian_filter
 
 import tilewright as tw
 from browsing import NEEDS_BROWSER, watched_page
@@ -11,6 +13,7 @@ from handmade import handmade
 from tilewright.analysis import compare_textures
 from tilewright.errors import TilewrightError
 from tilewright.fields.photos.contenders import side_by_side
+from tilewright.signals.textures.tone import Tone
 
 READ = """() => {
   const p = tilewright.pixels();
@@ -71,6 +74,7 @@ def origin(state, size):
 
 SETS = {
     "corner": tw.corner_tiles(3),
+    "classed": tw.classed_corner_tiles(2, 5),
     "wang": tw.wang_tiles(2, 3),
     "summed": tw.summed_wang_tiles(3),
     "shifted": tw.shifted_wang_tiles(4),
@@ -117,6 +121,30 @@ def test_the_page_draws_the_variants_that_python_draws(open_page, name, weighted
         assert told == np.stack([placed.indices.ravel(), placed.variants.ravel()], axis=1).tolist()
 
 
+@pytest.mark.parametrize("span", [1, 3])
+def test_the_page_lays_the_tone_that_python_lays(open_page, span):
+    rng = np.random.default_rng(4)
+    clouds = gaussian_filter(rng.normal(0, 100, (20, 26, 3)), (3, 3, 0)).astype(np.float32)
+    made = handmade(tw.classed_corner_tiles(2, 5), 32, maps=2)
+    calm = {name: (pixels // 4 + 96).astype(np.uint8) for name, pixels in made.maps.items()}
+    material = dataclasses.replace(made, maps=calm, tone=Tone(32, span, {"map0": clouds}))
+    page = open_page(material, seed=7)
+    for seed, x, y in ((7, -3, 5), (2**64 - 1, 2**40 + 1, -(2**40)), (123, 2**32, -1)):
+        state = view(page, seed=str(seed), cellX=str(x), cellY=str(y), pixelsPerTile=32)
+        shown = read(page).astype(int)
+        field = tw.TextureField(material, tw.direct(material.tiles, seed))
+        wanted = field.render(*origin(state, 32), shown.shape[1], shown.shape[0])
+        assert np.abs(shown - wanted).max() <= 2
+        assert np.abs(shown - wanted).mean() < 0.3
+        bare = dataclasses.replace(material, tone=None)
+        without = tw.TextureField(bare, field.tiling).render(*origin(state, 32), *shown.shape[1::-1])
+        assert np.abs(shown - without).mean() > 3
+    page.select_option("#map", "map1")
+    wait_until(page, lambda: view(page)["map"] == "map1")
+    shown = read(page)
+    assert np.array_equal(shown, field.render(*origin(state, 32), *shown.shape[1::-1], map="map1"))
+
+
 def test_a_set_without_a_direct_tiling_is_shown_as_a_patch(open_page):
     material = handmade(tw.cohen_tiles(18), 16)
     page = open_page(material, seed=3)
@@ -127,7 +155,7 @@ def test_a_set_without_a_direct_tiling_is_shown_as_a_patch(open_page):
 
 
 def test_controls(open_page):
-    page = open_page(handmade(tw.corner_tiles(2), 16, maps=2), width=400, height=480)
+    page = open_page(handmade(tw.corner_tiles(2), 16, maps=2), width=320, height=400)
     view(page, pixelsPerTile=32)
     first = read(page)
     page.fill("#seed", "99")
@@ -151,7 +179,7 @@ def test_controls(open_page):
 
 
 def test_pan_zoom_and_tilt(open_page):
-    page = open_page(handmade(tw.corner_tiles(2), 16), width=400, height=480)
+    page = open_page(handmade(tw.corner_tiles(2), 16), width=320, height=400)
     view(page, pixelsPerTile=32)
     before = view(page)
     page.mouse.move(300, 150)
@@ -174,7 +202,7 @@ def test_pan_zoom_and_tilt(open_page):
     assert view(page)["tilt"] == 0
 
 
-@pytest.mark.parametrize("shrink", [2, 4, 8, 16])
+@pytest.mark.parametrize("shrink", [2, 16])
 def test_no_line_shows_at_tile_borders_when_minified(open_page, gravel, shrink):
     """Steps across tile borders are those inside, and the picture is near a supersampled one."""
     material = tw.synthesize(tw.Exemplar([{"a": gravel}]), tw.corner_tiles(2), tile_size=64, seed=1)
@@ -247,10 +275,10 @@ def test_gray_and_16_bit_photographs_are_compared_as_8_bit(open_page, gravel):
 
 
 def test_seen_from_afar_each_method_keeps_the_mean_color(open_page, pair):
-    page = open_page(pair.material, seed=7, width=300, height=300, compare=pair)
+    page = open_page(pair.material, seed=7, width=200, height=200, compare=pair)
     for method, one in pair.contenders.items():
         show(page, method)
-        plane = one.field.render(0, 0, 1500, 1500) / 255
+        plane = one.field.render(0, 0, 700, 700) / 255
         light = np.where(plane <= 0.04045, plane / 12.92, ((plane + 0.055) / 1.055) ** 2.4).mean(axis=(0, 1))
         wanted = 255 * (1.055 * light ** (1 / 2.4) - 0.055)
         for size in (8, 2):
@@ -260,7 +288,7 @@ def test_seen_from_afar_each_method_keeps_the_mean_color(open_page, pair):
 
 
 def test_two_methods_side_by_side(open_page, pair):
-    page = open_page(pair.material, seed=7, width=800, height=500, compare=pair)
+    page = open_page(pair.material, seed=7, width=800, height=320, compare=pair)
     assert view(page)["method"] == "corner"
     alone = {}
     for method in ("hex", "wang"):
@@ -272,9 +300,9 @@ def test_two_methods_side_by_side(open_page, pair):
     both = read(page)
     assert np.array_equal(both[:, :400], alone["wang"][:, :400])
     assert np.array_equal(both[:, 400:], alone["hex"][:, 400:])
-    page.mouse.move(400, 300)
+    page.mouse.move(400, 150)
     page.mouse.down()
-    page.mouse.move(200, 300, steps=3)
+    page.mouse.move(200, 150, steps=3)
     page.mouse.up()
     assert view(page)["split"] == pytest.approx(0.25, abs=0.01)
     moved = read(page)
@@ -303,9 +331,8 @@ def test_the_table_shows_what_was_measured(open_page, pair):
         assert f"{pair.figures[name]['strangeness']:.2f}" in row
 
 
-def test_the_page_is_small_and_whole(tmp_path, gravel):
-    color = np.repeat(gravel, 3, axis=2)
-    material = tw.synthesize(tw.Exemplar([{"a": color}]), tw.corner_tiles(2), seed=1)
+def test_the_page_is_small_and_whole(tmp_path):
+    material = handmade(tw.corner_tiles(2), 128)
     tw.save_viewer(material, tmp_path / "a.html")
     assert (tmp_path / "a.html").stat().st_size < 1.5e6
     assert "://" not in (tmp_path / "a.html").read_text().replace("http://www.w3.org", "")

@@ -53,13 +53,17 @@ def read(page, width=160, height=120, **wanted):
 
 
 @pytest.mark.parametrize(
-    ("colors", "variants"), [(1, 1), (2, 1), (3, 1), (4, 1), (7, 1), (8, 1), (2, 3), (4, 3)]
+    ("tiles", "variants"),
+    [
+        *((tw.corner_tiles(c), v) for c, v in ((1, 1), (3, 1), (4, 1), (7, 1), (8, 1), (2, 3), (4, 3))),
+        (tw.classed_corner_tiles(2, 5), 1),
+    ],
+    ids=lambda v: getattr(v, "colors", v),
 )
-def test_at_one_texel_per_pixel_the_page_shows_what_python_renders(open_page, colors, variants):
+def test_at_one_texel_per_pixel_the_page_shows_what_python_renders(open_page, tiles, variants):
     """Texture arrays up to 256 pictures, packed atlases of an even and an odd number above."""
-    tiles = tw.corner_tiles(colors)
     material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, variants))
-    seed = 2**64 - colors
+    seed = 2**64 - len(tiles)
     page = open_page(material, seed)
     field = tw.TextureField(material, tw.direct(material.tiles, seed))
     for x, y in ((-3, 5), (-1, -1), (2**31 - 40, -(2**31) + 9), (123456789, -987654321)):

@@ -69,7 +69,7 @@ def test_what_does_not_fit():
 @pytest.mark.parametrize(
     ("tiles", "given", "message"),
     [
-        (tw.corner_tiles(3, 2), {}, "complete sets of corner tiles and Wang tiles, not the .* set of 54"),
+        (tw.corner_tiles(3, 2), {}, "and complete Wang sets, not the .* set of 54"),
         (tw.wang_tiles(2), {"layout": "array"}, "Wang tiles need 'atlas'"),
         (tw.corner_tiles(2), {"layout": "cube"}, "layout is 'cube'; allowed are array, atlas"),
         (tw.corner_tiles(2), {"map": "gloss"}, "map is 'gloss'"),

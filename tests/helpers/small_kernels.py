@@ -6,16 +6,19 @@ import json
 import sys
 import time
 import warnings
+from dataclasses import replace
 
 import numba
 import numpy as np
 
 import tilewright as tw
+from tilewright.signals.textures.tone import Tone
 
 
 def tilings():
     """Tile indices of every direct algorithm, by scanline, packings, dapples, bricks."""
-    for tiles in (tw.corner_tiles(3), tw.wang_tiles(2, 3), tw.corner_tiles(4, choices=2), tw.corner_cubes(2)):
+    sets = (tw.corner_tiles(3), tw.wang_tiles(2, 3), tw.corner_tiles(4, choices=2), tw.corner_cubes(2))
+    for tiles in (*sets, tw.classed_corner_tiles(2, 5)):
         window = (-3, 2**40, 5, 4) if tiles.shape.dimension == 2 else (-3, 2, 1, 3, 2, 2)
         yield repr(tiles), tw.direct(tiles, 7).indices(*window)
     yield "scanline", tw.scanline(tw.cohen_tiles(8), 6, 5, 3).cells
@@ -72,6 +75,8 @@ def textures():
     material = tw.texture_tiles(photo, tw.corner_tiles(1), tile_size=16, seed=1)
     yield "texture", material.origins
     yield "field", tw.TextureField(material, tw.direct(material.tiles, 7)).render(-5, 3, 40, 20)
+    toned = replace(material, tone=Tone(16, 1, {"albedo": rng.normal(0, 9, (5, 7, 1)).astype(np.float32)}))
+    yield "toned", tw.TextureField(toned, tw.direct(material.tiles, 7)).render(-5, 3, 40, 20)
 
 
 def work() -> dict[str, str]:

@@ -61,6 +61,8 @@ def test_kernels_and_scripts_repeat_the_numbers():
     assert patches in viewer.joinpath("photo.js").read_text()
     second = f'{{ bits: {streams.BITS}, "marked-edges": {streams.MARKS}, "marked-sums": {streams.MARKS} }};'
     assert second in viewer.joinpath("lattice.js").read_text()
+    others = f"VARIANT_STREAM = {streams.VARIANTS}, TONE_STREAM = {streams.TONES};"
+    assert others in viewer.joinpath("lattice.js").read_text()
 
 
 def digits(hash):

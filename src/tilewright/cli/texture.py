@@ -30,21 +30,37 @@ def command(
         ),
     ] = None,
     tiles: Annotated[
-        str,
-        option(help="Tile set: corner (default), wang, cohen-8, cohen-12, cohen-18 or corner-coded."),
-    ] = "corner",
+        str | None,
+        option(
+            help="Tile set: corner, wang, cohen-8, cohen-12, cohen-18 or corner-coded; default corner, "
+            "or with --method faithful what suits the photograph."
+        ),
+    ] = None,
     colors: Annotated[
         int | None,
         option(help="Number of colors of corner or wang, 1 to 16; default 2, or 4 for corner with --second."),
     ] = None,
     tile_size: Annotated[
-        str, option(help="Size of a tile in pixels, even, 16 to 1024, or auto; default 128.")
-    ] = "128",
+        str | None,
+        option(
+            help="Size of a tile in pixels, even, 16 to 1024, or auto; default 128, or with --method "
+            "faithful what suits the photograph."
+        ),
+    ] = None,
     method: Annotated[
         str | None,
         option(
-            help="How tiles are made: nested (default), ng or squares for corners; centered-diamonds "
-            "(default), diamonds or burke for Wang tiles."
+            help="How tiles are made: faithful, nested (default), ng or squares for corners; "
+            "centered-diamonds (default), diamonds or burke for Wang tiles. faithful keeps the tones, the "
+            "courses and the seldom things of the photograph."
+        ),
+    ] = None,
+    tone: Annotated[
+        bool | None,
+        option(
+            "--tone/--no-tone",
+            help="Whether tone larger than a tile is laid outside the tiles, with --method faithful; default "
+            "where it belongs to no things.",
         ),
     ] = None,
     map: Annotated[
@@ -117,7 +133,7 @@ def command(
         "TextureJob",
         locals()
         | {
-            "tile_size": parse_size(tile_size),
+            "tile_size": None if tile_size is None else parse_size(tile_size),
             "map": parse_pairs("--map", map),
             "weight": parse_weights(weight),
             "kind": parse_pairs("--kind", kind),

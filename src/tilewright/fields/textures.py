@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.fields.agreement import check_agreement
 from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
+from tilewright.fields.tone import add_tone, tone_window
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Domain, Tiling
 from tilewright.tilings.domain import LARGEST_CELL
@@ -95,6 +96,17 @@ class TextureField(PixelField):
                 pixel,
                 out.view(np.uint8).reshape(window.height, window.width * pixel),
             )
+        self._lay_tone(window, outs)
+
+    def _lay_tone(self, window: PixelWindow, outs: Mapping[str, NDArray[Any]]) -> None:
+        """Add what varies over more than a tile to the maps that have it."""
+        tone = self.material.tone
+        toned = {} if tone is None else {name: out for name, out in outs.items() if name in tone.maps}
+        if tone is None or not toned:
+            return
+        laid = tone_window(tone, self.tiling.chance, self.tiling.domain, *window)
+        for name, out in toned.items():
+            add_tone(out, laid, name)
 
 
 def _cells(first: int, count: int, size: int) -> tuple[int, int, int]:

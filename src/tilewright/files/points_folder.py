@@ -10,8 +10,8 @@ import numpy as np
 from tilewright import __version__
 from tilewright.errors import TilewrightFileError
 from tilewright.files.manifest import (
-    NEWEST_SCHEMA,
     SCHEMA,
+    VARIANTS_SCHEMA,
     Reader,
     StoredVariants,
     Tiles,
@@ -48,7 +48,7 @@ def write_point_tiles(folder: Path, tiles: PointTiles) -> None:
     writer.seal(name)
     writer.finish(
         PointManifest(
-            SCHEMA if tiles.variants.even else NEWEST_SCHEMA,
+            SCHEMA if tiles.variants.even else VARIANTS_SCHEMA,
             f"tilewright {__version__}",
             "points",
             Tiles.of(tiles.tiles),

@@ -14,6 +14,7 @@ from tilewright.files.images import lossless_suffix, read_image, write_image
 from tilewright.files.manifest import (
     NEWEST_SCHEMA,
     SCHEMA,
+    VARIANTS_SCHEMA,
     Reader,
     StoredVariants,
     Tiles,
@@ -23,7 +24,15 @@ from tilewright.files.manifest import (
 )
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import KINDS
+from tilewright.signals.textures.tone import Tone
 from tilewright.tiles.variants import Variants
+
+
+class StoredTone(msgspec.Struct, forbid_unknown_fields=True):
+    """Tone outside the tiles: tiles from grid point to grid point, and a picture of it for each map."""
+
+    span: int
+    maps: dict[str, str]
 
 
 class TextureManifest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
@@ -44,6 +53,8 @@ class TextureManifest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=
     """What each map holds; not there in schema 1."""
     variants: StoredVariants = 1
     """Pictures of each tile; not there before schema 3, nor where there is one."""
+    tone: StoredTone | None = None
+    """What lies over the tiles; not there before schema 4, nor where nothing does."""
 
 
 def write_texture(folder: Path, material: TextureTiles) -> None:
@@ -77,9 +88,11 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
         image(f"exemplar/{s}-mask.png", mask[..., np.newaxis].astype(np.uint8) * 255)
         for s, mask in enumerate(material.masks)
     ]
+    toned = {} if material.tone is None else material.tone.maps
+    tone = {name: image(f"tone/{_safe(name)}.exr", texels) for name, texels in toned.items()}
     writer.finish(
         TextureManifest(
-            SCHEMA if len(material.variants) == len(material.tiles) else NEWEST_SCHEMA,
+            _schema(material),
             f"tilewright {__version__}",
             "texture",
             material.tile_size,
@@ -92,8 +105,16 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
             writer.checksums,
             material.kinds,
             store_variants(material.variants),
+            None if material.tone is None else StoredTone(material.tone.span, tone),
         )
     )
+
+
+def _schema(material: TextureTiles) -> int:
+    """The oldest that tells all of a material."""
+    if material.tone is not None:
+        return NEWEST_SCHEMA
+    return SCHEMA if len(material.variants) == len(material.tiles) else VARIANTS_SCHEMA
 
 
 def _stems(variants: Variants) -> list[str]:
@@ -123,7 +144,21 @@ def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
     _check_sources(sources, masks, maps)
     _check_origins(origins, sources)
     kinds = {n: check_choice(f"kind of map {n!r}", k, KINDS) for n, k in manifest.kinds.items() if n in maps}
-    return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks, kinds, variants)
+    tone = None
+    if manifest.tone is not None:
+        toned = {n: _texels(n, image(f), maps) for n, f in manifest.tone.maps.items()}
+        tone = Tone(size, manifest.tone.span, toned)
+    return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks, kinds, variants, tone)
+
+
+def _texels(name: str, texels: NDArray[Any], maps: dict[str, NDArray[Any]]) -> NDArray[np.float32]:
+    """Tone of a map, which has the map's channels and numbers."""
+    channels = maps[name].shape[3] if name in maps else 0
+    if texels.dtype != np.float32 or texels.shape[2] != channels or not np.isfinite(texels).all():
+        raise TilewrightFileError(
+            f"tone of {name} is {texels.dtype} {texels.shape}; expected finite float32 of {channels} channels"
+        )
+    return texels
 
 
 def _stack(name: str, pictures: list[NDArray[Any]], count: int, size: int) -> NDArray[Any]:

@@ -15,7 +15,7 @@ from tilewright.shaders.layouts import check_set, even_variants, make_layout
 from tilewright.shaders.mipmaps import Mipmaps
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Tiling
-from tilewright.tilings.algorithms import CORNERS, EDGES
+from tilewright.tilings.algorithms import CLASSED, CORNERS, EDGES
 from tilewright.tilings.direct_tiling import DirectTiling
 from tilewright.tilings.streams import VARIANTS
 
@@ -26,8 +26,8 @@ class GpuField:
     Parameters
     ----------
     material : TextureTiles
-        Over a complete set of corner tiles, or of Wang tiles (Wei 2004), with as many variants of every tile,
-        drawn alike: layers one after another, or packings side by side.
+        Over a complete or classed set of corner tiles, or a complete one of Wang tiles (Wei 2004), with as
+        many variants of every tile, drawn alike: layers one after another, or packings side by side.
     tiling : Tiling
         ``direct(material.tiles, seed)``, with the mixer or a permutation table as its hash.
     layout : str, optional
@@ -60,7 +60,15 @@ class GpuField:
     ) -> None:
         check_agreement(material, TextureTiles, tiling)
         check_set(material.tiles)
-        hash = shader_hash(check_tiling(tiling).hash, material.tiles.colors, even_variants(material))
+        if material.tone is not None:
+            raise TilewrightValueError(
+                "has tone outside its tiles, which is not laid on a GPU",
+                argument="material",
+                advice="make the texture with tone=False",
+            )
+        tiles = material.tiles
+        counts = (tiles.parameters["colors"],) if tiles.family == "classed" else tiles.colors
+        hash = shader_hash(check_tiling(tiling).hash, counts, even_variants(material))
         lookup = make_layout(material, layout, map)
         name = material.main if map is None else map
         pixels = PixelFormat.of(material.maps[name], material.kinds[name])
@@ -94,12 +102,14 @@ class GpuField:
     def _view(self, sight: Sight) -> bytes:
         states, origin = self._hash.place(*(self._density * cell for cell in sight.cell))
         draws, cell = self._hash.place(*sight.cell, stream=VARIANTS)
-        return view_bytes(sight.rows, states, origin, draws, cell)
+        classes, step = (self.material.tiles.parameters.get(n, 1) for n in ("classes", "step"))
+        place = (sight.cell[0] + step * sight.cell[1]) % classes
+        return view_bytes(sight.rows, states, origin, draws, cell, place)
 
 
 def check_tiling(tiling: Tiling) -> DirectTiling:
     """The tiling, if a shader can evaluate it."""
-    if not isinstance(tiling, DirectTiling) or tiling.algorithm not in (CORNERS, EDGES):
+    if not isinstance(tiling, DirectTiling) or tiling.algorithm not in (CLASSED, CORNERS, EDGES):
         raise TilewrightValueError(
             "the tiling is not one that a GPU evaluates",
             advice="use direct(tiles, seed), with wang='edge-hash'",

@@ -264,7 +264,7 @@ def texture_tiles(
     kinds: dict[str, str] | None = None,
     normal: str | None = None,
     flatten: bool = False,
-    tile_size: int | str = 128,
+    tile_size: int | str | None = None,
     seed: int = 0,
     **options: Any,
 ) -> TextureTiles:
@@ -277,7 +277,7 @@ def texture_tiles(
         `find_maps`. Arrays hold uint8, uint16 or float32.
     tiles : TileSet, optional
         Corner, corner-coded or Wang tiles; by default the complete corner set over 2 colors, over 4 with two
-        photographs.
+        photographs, and with ``method="faithful"`` the classed set that suits the photograph.
     second : path, array or dict, optional
         A second photograph for the marked corners of an inhomogeneous set; by default there is none.
     mask : path or array, optional
@@ -294,12 +294,13 @@ def texture_tiles(
     flatten : bool, optional
         Take out of color maps the light that varies slowly; default False.
     tile_size : int or "auto", optional
-        Pixels along a tile, even, 16 to 1,024; default 128. ``"auto"`` takes a size near 128 that is a whole
-        number of the photograph's periods.
+        Pixels along a tile, even, 16 to 1,024; default 128, and with ``method="faithful"`` what suits the
+        photograph. ``"auto"`` takes a size near 128 that is a whole number of the photograph's periods.
     seed : int, optional
         The same seed gives the same bytes; 0 to 2^64 - 1, default 0.
-    **options : str, dict, int or callable
-        ``method``, ``variants``, ``pick``, ``reject``, ``threads`` and ``progress``, as in `synthesize`.
+    **options : str, bool, dict, int or callable
+        ``method``, ``tone``, ``variants``, ``pick``, ``reject``, ``threads`` and ``progress``, as in
+        `synthesize`.
 
     Returns
     -------
@@ -339,7 +340,7 @@ def texture_tiles(
         normal=normal,
         flatten=flatten,
     )
-    if tiles is None:
+    if tiles is None and options.get("method") != "faithful":
         tiles = corner_tiles(2 if second is None else 4)
     return synthesize(exemplar, tiles, tile_size=tile_size, seed=seed, **options)
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from tilewright.tiles import TileSet
 
 _KINDS = ("corner", "wang", "cohen-8", "cohen-12", "cohen-18", "corner-coded")
-_SETTINGS = ("tiles", "colors", "tile_size", "weight", "mask", "method", "variants", "seed", "photo")
+_SETTINGS = ("tiles", "colors", "tile_size", "weight", "mask", "method", "tone", "variants", "seed", "photo")
 _OLD = "{from_}, which makes an old set again with its photograph and settings"
 _CUT = "{like}, which cuts as the old set was cut"
 
@@ -31,12 +31,13 @@ class TextureJob(Job):
     output : Path, optional
         The folder of the set; default that of ``like``, else ``tiles``.
     tiles : str, optional
-        ``"corner"`` (default), ``"wang"``, ``"cohen-8"``, ``"cohen-12"``, ``"cohen-18"`` or
-        ``"corner-coded"``.
+        ``"corner"``, ``"wang"``, ``"cohen-8"``, ``"cohen-12"``, ``"cohen-18"`` or ``"corner-coded"``; default
+        ``"corner"``, or with method ``"faithful"`` what suits the photograph.
     colors : int, optional
         Colors of a complete set; default 2, or 4 with ``second``.
     tile_size : int or str, optional
-        Pixels along a tile, even, or ``"auto"``; default 128.
+        Pixels along a tile, even, or ``"auto"``; default 128, or with method ``"faithful"`` what suits the
+        photograph.
     map : dict of str to path, optional
         Files of maps by name.
     weight : dict of str to float, optional
@@ -53,6 +54,8 @@ class TextureJob(Job):
         A second photograph, for marked corners.
     method : str, optional
         How tiles are made, see `synthesize`.
+    tone : bool, optional
+        Whether tone is laid outside the tiles, see `synthesize`; default where it belongs to no things.
     variants : int, optional
         Pictures of every tile, of which any may lie anywhere; default 1.
     from_ : Path, optional
@@ -76,9 +79,9 @@ class TextureJob(Job):
 
     photo: Path | None = None
     output: Path | None = None
-    tiles: str = "corner"
+    tiles: str | None = None
     colors: int | None = None
-    tile_size: int | str = 128
+    tile_size: int | str | None = None
     map: Mapping[str, str] | None = None
     weight: Mapping[str, float] | None = None
     kind: Mapping[str, str] | None = None
@@ -87,6 +90,7 @@ class TextureJob(Job):
     mask: Path | None = None
     second: Path | None = None
     method: str | None = None
+    tone: bool | None = None
     variants: int = 1
     from_: Path | None = None
     like: Path | None = None
@@ -140,6 +144,8 @@ class TextureJob(Job):
             "seed": material.recipe["seed"],
             "seconds": round(seconds, 3),
         }
+        if treatment := material.recipe.get("treatment"):
+            figures |= {"treatment": treatment, "tone": material.tone is not None}
         size, several = material.tile_size, ""
         if len(material.variants) > len(material.tiles):
             figures["pictures"] = len(material.variants)
@@ -171,6 +177,7 @@ class TextureJob(Job):
             tile_size=self.tile_size,
             seed=self.seed,
             method=self.method,
+            tone=self.tone,
             variants=self.variants,
             pick=self.pick,
             threads=self.threads,
@@ -200,10 +207,15 @@ class TextureJob(Job):
             return {name: str(file) for name, file in find_maps(self.photo).items()} | maps
         return {"albedo": str(self.photo)} | maps
 
-    def _tile_set(self) -> "TileSet":
+    def _tile_set(self) -> "TileSet | None":
+        """What was asked for; None where the photograph decides."""
         from tilewright.tiles import cohen_tiles, corner_coded_tiles, corner_tiles, wang_tiles
 
-        kind, colors = check_choice("tiles", self.tiles, _KINDS), self.colors
+        asked = (self.tiles, self.colors, self.second)
+        if self.method == "faithful" and asked == (None, None, None):
+            return None
+        kind = check_choice("tiles", "corner" if self.tiles is None else self.tiles, _KINDS)
+        colors = self.colors
         if colors is not None and kind not in ("corner", "wang"):
             raise TilewrightValueError(
                 f"is for corner and wang tiles; {kind} has its own", argument="colors", value=colors

@@ -114,6 +114,23 @@ def fill_corner_ids(x_low, runs, x_high, y, seed, colors, out):
 
 
 @kernel(parallel=True)
+def fill_classed_ids(x_low, runs, x_high, y, seed, colors, column_classes, row_classes, classes, out):
+    """Index of the tile of a classed corner set at each cell: that of a complete set in the class at NW.
+
+    x_low, runs, x_high : the w + 1 columns of lattice points, as in `color_row`. y : int64 (h + 1,).
+    column_classes : int32 (w,), class of NW corners in row 0; row_classes : int32 (h,), what rows add.
+    out : int32 (h, w), filled.
+    """
+    fill_corner_ids(x_low, runs, x_high, y, seed, colors, out)
+    tiles, most = np.int32(colors) ** 4, np.int32(classes)
+    for i in numba.prange(out.shape[0]):
+        ahead, row = np.int32(row_classes[i]), out[i]
+        for j in range(row.size):
+            at = column_classes[j] + ahead
+            row[j] += tiles * (at - most if at >= most else at)
+
+
+@kernel(parallel=True)
 def fill_wang_ids(
     h_low, h_runs, h_high, v_low, v_runs, v_high, h_rows, v_rows, seed, colors_h, colors_v, out
 ):

@@ -127,9 +127,14 @@ def view_bytes(
     origin: tuple[int, int],
     draws: NDArray[np.uint32] = _NO_STATES,
     cell: tuple[int, int] = (0, 0),
+    place: int = 0,
 ) -> bytes:
-    """The uniform block ``View`` of ``view.glsl``; ``draws`` and ``cell`` are for variants."""
+    """The uniform block ``View`` of ``view.glsl``; ``draws`` and ``cell`` are for variants.
+
+    ``place`` is the class of the lattice point of cell (0, 0), where points have classes.
+    """
     packed = np.zeros((3, 4), np.float32)
     packed[:, :3] = rows
+    packed[0, 3] = place
     # The shader's ``west`` is for x < 0.
     return packed.tobytes() + states.tobytes() + struct.pack("4i", *origin, *cell) + draws.tobytes()

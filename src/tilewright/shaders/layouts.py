@@ -12,6 +12,7 @@ from tilewright.shaders.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.frame import shared_border
 from tilewright.tiles import CORNER, WANG, TileSet, corner_tiles
+from tilewright.tiles.classes import are_by_class
 from tilewright.tiles.variants import MOST_SHADED, name_variants
 from tilewright.tilings import packing
 from tilewright.tilings.packings.closed_form import train
@@ -59,10 +60,10 @@ class Layout:
 
 def check_set(tiles: TileSet) -> None:
     """Raise unless shaders can lay a set."""
-    if tiles.shape not in (CORNER, WANG) or not tiles.is_complete:
+    if tiles.family not in ("corner", "wang") and not (tiles.family == "classed" and are_by_class(tiles)):
         raise TilewrightValueError(
-            f"on a GPU there are complete sets of corner tiles and Wang tiles, not the {tiles.name} set "
-            f"of {len(tiles)} {tiles.shape.name} tiles",
+            "on a GPU there are complete and classed sets of corner tiles, and complete Wang sets, not the "
+            f"{tiles.name} set of {len(tiles)} {tiles.shape.name} tiles",
             advice="make the texture over corner_tiles()",
         )
 
@@ -80,6 +81,11 @@ def make_layout(material: TextureTiles, layout: str | None, map: str | None) -> 
                 argument="layout",
             )
         return _wei(material, map)
+    if layout == "atlas" and tiles.family == "classed":
+        raise TilewrightValueError(
+            "is 'atlas'; tiles in classes go into an array, of as many layers as the GPU has",
+            argument="layout",
+        )
     return _array(material, map) if layout == "array" else _atlas(material, map)
 
 
@@ -177,8 +183,10 @@ def corner_configurations(tiles: TileSet) -> NDArray[np.int32]:
 
 def corner_defines(tiles: TileSet) -> dict[str, str]:
     """What the shaders of a corner set are compiled for."""
-    colors = tiles.colors[0]
+    colors = tiles.parameters["colors"]
     defines = {"COLORS": f"{colors}u", "SIDE": _real(colors**2)}
+    if tiles.family == "classed":
+        return defines | {"CLASSES": f"{tiles.parameters['classes']}", "STEP": f"{tiles.parameters['step']}"}
     if colors % 2:
         return defines | {"ODD_COLORS": ""}
     if colors == 2:

@@ -10,6 +10,7 @@ from tilewright.checks import check_choice, check_int
 from tilewright.seeds import check_seed
 from tilewright.shaders.templates import fill, read_text
 from tilewright.tiles import corner_tiles
+from tilewright.tiles.recognition import class_step
 from tilewright.tiles.variants import MOST_SHADED
 from tilewright.tilings import MixerHash
 from tilewright.tilings.hashes import MULTIPLIERS
@@ -52,7 +53,13 @@ def start_states(seed: int, stream: int = 0) -> tuple[tuple[int, int], ...]:
 
 
 def lookup(
-    dialect: str, colors: int, seed: int, tile_size: int, gutter: int | None, variants: int = 1
+    dialect: str,
+    colors: int,
+    seed: int,
+    tile_size: int,
+    gutter: int | None,
+    variants: int = 1,
+    classes: int = 1,
 ) -> str:
     """The lookup in a shader dialect, as the text of an include file.
 
@@ -61,7 +68,7 @@ def lookup(
     dialect : str
         One of `DIALECTS`.
     colors : int
-        Colors of the complete corner set, 1 to 8.
+        Colors of the complete corner set, 1 to 8, or of each class.
     seed : int
         Seed of the tiling.
     tile_size : int
@@ -71,11 +78,13 @@ def lookup(
     variants : int
         Pictures of every tile, all drawn alike, 1 to 256: layers one after another, or packings from west to
         east in the atlas.
+    classes : int
+        Classes of `tilewright.classed_corner_tiles`, in a texture array; 1 for complete sets.
     """
     part = DIALECTS[check_choice("dialect", dialect, tuple(DIALECTS))]
     check_int("colors", colors, 1, MOST_COLORS)
     check_int("variants", variants, 1, MOST_SHADED)
-    values = numbers(colors, seed, tile_size, gutter, variants)
+    values = numbers(colors, seed, tile_size, gutter, variants, classes)
     if variants > 1 and gutter is None:
         kind = _PAIRS[dialect]
         values |= {"scale": f"{kind}({values['scale_x']}, {values['scale_y']})", "scale_type": kind}
@@ -87,7 +96,7 @@ def _fill(part: str, **values: str | bool) -> str:
 
 
 def numbers(
-    colors: int, seed: int, tile_size: int, gutter: int | None, variants: int = 1
+    colors: int, seed: int, tile_size: int, gutter: int | None, variants: int = 1, classes: int = 1
 ) -> dict[str, str | bool]:
     """What the templates of the dialects are filled with."""
     array, even = gutter is not None, colors % 2 == 0
@@ -117,6 +126,12 @@ def numbers(
         "variants": str(variants),
         "several": variants > 1,
         "single": variants == 1,
+        "classed": classes > 1,
+        "classes": str(classes),
+        "step": str(class_step(classes) if classes > 1 else 0),
+        # Of negative numbers, whose words are 2^32 higher: what makes their remainder right.
+        "below": str(-(2**32) % classes),
+        "tiles": str(colors**4),
     }
     for n, multiplier in enumerate(MULTIPLIERS):
         named[f"m{n}"], named[f"m{n}s"] = f"0x{multiplier:08x}", str(signed(multiplier))

@@ -1,3 +1,6 @@
+from .classes import (
+    classed_corner_tiles as classed_corner_tiles,
+)
 from .coded import (
     corner_coded_tiles as corner_coded_tiles,
     crossed_wang_tiles as crossed_wang_tiles,

@@ -35,7 +35,9 @@ def tell_family(shape: Shape, colors: tuple[int, ...], slots: Slots) -> Family:
     if shape in _COMPLETE and len(slots) == prod(colors):
         return Family(shape.name, _name_colors(shape, colors))
     tell = _INCOMPLETE.get(shape)
-    if tell is None or not all(c <= MOST_FAMILY_COLORS for c in colors):
+    # Classes multiply the colors of corners.
+    most = MOST_FAMILY_COLORS ** (2 if shape is CORNER else 1)
+    if tell is None or not all(c <= most for c in colors):
         return CUSTOM
     return tell(colors, [column.astype(np.int32) for column in slots.T]) or CUSTOM
 
@@ -49,9 +51,13 @@ def _name_colors(shape: Shape, colors: tuple[int, ...]) -> dict[str, Any]:
 
 
 def _tell_corner(colors: tuple[int, ...], slots: list[Column]) -> Family | None:
-    """`corner_tiles` with choices, and `column_corner_tiles`."""
+    """`classed_corner_tiles`, `corner_tiles` with choices, and `column_corner_tiles`."""
     ne, se, sw, nw = slots
     c, count = colors[0], len(ne)
+    if classed := _tell_classed(c, slots):
+        return classed
+    if c > MOST_FAMILY_COLORS:
+        return None
     d, root = count // c**3, isqrt(count)
     if 2 <= d < c and count == d * c**3 and _all_below(d, se - d * nw, c):
         return Family("compact-corner", {"colors": c, "choices": d})
@@ -59,6 +65,30 @@ def _tell_corner(colors: tuple[int, ...], slots: list[Column]) -> Family | None:
     if 2 <= d < c and count == (d * c) ** 2 and _all_below(d, sw - d * nw, c):
         return Family("columns", {"colors": c, "choices": d}) if _all_below(d, se - d * ne, c) else None
     return None
+
+
+def _tell_classed(total: int, slots: list[Column]) -> Family | None:
+    """Whether corners go through classes from west to east by ones and from north to south by steps."""
+    count = len(slots[0])
+    for c in range(1, total // 2 + 1):
+        k = total // c
+        if k * c != total or k * c**4 != count or max(c, k) > MOST_FAMILY_COLORS:
+            continue
+        step = class_step(k)
+        ne, se, sw, nw = (column // c for column in slots)
+        found = all(not ((there - nw - by) % k).any() for there, by in ((ne, 1), (sw, step), (se, 1 + step)))
+        return Family("classed", {"colors": c, "classes": k, "step": step}) if found else None
+    return None
+
+
+def class_step(classes: int) -> int:
+    """The step a for which like points, (x + a y) mod k, lie farthest apart; the smallest of several."""
+    reach = range(-classes, classes + 1)
+
+    def nearest(step: int) -> int:
+        return min(x * x + y * y for x in reach for y in reach if (x or y) and (x + step * y) % classes == 0)
+
+    return max(range(1, classes), key=nearest, default=1)
 
 
 def _tell_wang(colors: tuple[int, ...], slots: list[Column]) -> Family | None:

@@ -7,12 +7,14 @@ Hashes color the integer lattice; slots follow from the colors around a cell. Wi
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from math import lcm
+from math import gcd, lcm
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.errors import TilewrightValueError
 from tilewright.tiles import TileSet
+from tilewright.tiles.tileset import slot_type
 from tilewright.tilings.chains import Chains, Span, closed_walks, meet, open_walks
 from tilewright.tilings.domain import fold
 from tilewright.tilings.hashes import Colors, LatticeHash, as_grid
@@ -55,6 +57,38 @@ class Lattice:
 def corners(at: Lattice) -> Colors:
     """Complete corner sets: a hash at the lattice points (Lagae 2007, section 3.3.1, with y mirrored)."""
     return at.hash.grid(at.tiles.colors[0], COLORS, *(at.points(a) for a in at.axes))
+
+
+def classed(at: Lattice) -> Colors:
+    """`classed_corner_tiles`: a hash at the lattice points chooses among the colors of their classes."""
+    count, rows = at.tiles.parameters["colors"], row_classes(at)
+    classes = (column_classes(at) + rows[:, np.newaxis]) % at.tiles.parameters["classes"]
+    hashed = at.hash.grid(count, COLORS, at.points(0), at.points(1))
+    return (classes * count + hashed).astype(slot_type(at.tiles.colors))
+
+
+def column_classes(at: Lattice) -> NDArray[np.int64]:
+    """Class of each lattice point of row 0; a period that classes do not go into is refused."""
+    classes, step = at.tiles.parameters["classes"], at.tiles.parameters["step"]
+    for axis, factor in enumerate((1, step)):
+        period, unit = at.periods[axis], classes // gcd(classes, factor)
+        if period is not None and period % unit:
+            below = max(unit, period - period % unit)
+            raise TilewrightValueError(
+                f"is {period} along {'xy'[axis]}; {classes} classes of lattice points repeat after {unit}",
+                argument="period",
+                value=period,
+                allowed=f"multiples of {unit} along {'xy'[axis]}",
+                advice=f"take {below} or {below + unit}",
+            )
+    return at.points(0) % classes
+
+
+def row_classes(at: Lattice) -> NDArray[np.int64]:
+    """What the class of each row's lattice points is ahead of that in row 0."""
+    classes, step = at.tiles.parameters["classes"], at.tiles.parameters["step"]
+    # Coordinates first, so that no product is too large.
+    return at.points(1) % classes * step % classes
 
 
 def marks(at: Lattice) -> Colors:
@@ -235,6 +269,7 @@ def _slots_with_marks(base: Algorithm, at: Lattice) -> Slots:
 
 
 CORNERS = _of_corners("corners", corners)
+CLASSED = _of_corners("classed", classed)
 EDGES = Algorithm("edges", edges)
 TWO_HASHES = Algorithm("two-hashes", two_hashes)
 _DIAGONALS = _of_corners("diagonals", diagonals)
@@ -243,6 +278,7 @@ _OF_FAMILY = {
     "domino": Algorithm("ends", ends),
     "corner": CORNERS,
     "corner-cube": CORNERS,
+    "classed": CLASSED,
     "wang": EDGES,
     "wang-cube": EDGES,
     "compact-corner": _DIAGONALS,

@@ -1,6 +1,7 @@
 """Direct stochastic tiling: the tile of any cell, without the cells before it."""
 
 from abc import abstractmethod
+from functools import cached_property
 from math import prod
 
 import numpy as np
@@ -10,15 +11,19 @@ from tilewright.checks import check_choice
 from tilewright.errors import TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.tiles import CORNER, WANG, TileSet
+from tilewright.tiles.classes import are_by_class
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tilings.algorithms import (
+    CLASSED,
     CORNERS,
     EDGES,
     TWO_HASHES,
     Algorithm,
     Lattice,
     Slots,
+    column_classes,
     recognize,
+    row_classes,
 )
 from tilewright.tilings.domain import Domain
 from tilewright.tilings.hashes import LatticeHash, MixerHash, split_row
@@ -91,12 +96,17 @@ class DirectTiling(SlotTiling):
 
     def __init__(self, tiles: TileSet, hash: LatticeHash, domain: Domain, algorithm: Algorithm) -> None:
         super().__init__(tiles, domain)
-        self.hash = self._variant_hash = hash
+        self.hash = self.chance = hash
         self.algorithm = algorithm
 
     def slots(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Slots:
         """Give the colors of every slot of a window of tiles, one array like the window for each slot."""
         return self.algorithm.slots(self._lattice(start, extent))
+
+    @cached_property
+    def _in_order(self) -> bool:
+        """Whether tiles are numbered by class first, as their maker numbers them."""
+        return are_by_class(self.tiles)
 
     def _lattice(self, start: tuple[int, ...], extent: tuple[int, ...]) -> Lattice:
         return Lattice(self.tiles, self.hash, self.domain.periods, start, extent)
@@ -109,6 +119,8 @@ class DirectTiling(SlotTiling):
                 return _fill_corners(self.hash, at, out)
             if self.algorithm is EDGES:
                 return _fill_edges(self.hash, at, out)
+            if self.algorithm is CLASSED and self._in_order:
+                return _fill_classed(self.hash, at, out)
         return super()._fill(start, out)
 
 
@@ -117,6 +129,16 @@ def _fill_corners(hash: MixerHash, at: Lattice, out: NDArray[np.int32]) -> None:
     from tilewright.kernels.lattice import fill_corner_ids
 
     fill_corner_ids(*split_row(at.points(0)), at.points(1), hash.seed, np.uint32(at.tiles.colors[0]), out)
+
+
+def _fill_classed(hash: MixerHash, at: Lattice, out: NDArray[np.int32]) -> None:
+    """`classed` and the tiles' indices in one pass."""
+    from tilewright.kernels.lattice import fill_classed_ids
+
+    columns, rows = (c[:-1].astype(np.int32) for c in (column_classes(at), row_classes(at)))
+    count, classes = np.uint32(at.tiles.parameters["colors"]), at.tiles.parameters["classes"]
+    points = split_row(at.points(0))
+    fill_classed_ids(*points, at.points(1), hash.seed, count, columns, rows, np.int32(classes), out)
 
 
 def _fill_edges(hash: MixerHash, at: Lattice, out: NDArray[np.int32]) -> None:

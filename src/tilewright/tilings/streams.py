@@ -18,6 +18,7 @@ DENSITY, DRAWS, PATCH_COLUMNS, PATCH_ROWS, BRICK_CLASSES, BRICK_EDGES, DAPPLE_EN
     8, 16
 )
 FLOWS, ROTATIONS = 16, 17
+TONES = 512
 
 WALL_LAYER = 1000
 """From this z on the streams of brick tilings say what the surface of a wall is like."""
@@ -112,6 +113,13 @@ STREAMS = (
         ROTATIONS,
         "starts of aperiodic tilings by rotations; with a table it would be a digit of stream 1",
         ("tilings.aperiodic.rotations",),
+    ),
+    Stream(
+        "TONES",
+        TONES,
+        "places of the photograph around whose points of a grid tone is taken: row and column, 12 bits each",
+        ("fields.tone",),
+        any_hash=True,
     ),
 )
 """All streams, by number."""

@@ -32,7 +32,7 @@ class Tiling(Shown, ABC):
 
     tiles: TileSet
     domain: Domain
-    _variant_hash: LatticeHash = MixerHash(0)
+    chance: LatticeHash = MixerHash(0)
 
     def __repr__(self) -> str:
         return describe(self, repr(self.tiles), str(self.domain))
@@ -148,7 +148,7 @@ class Tiling(Shown, ABC):
         if len(variants) == len(self.tiles):
             return indices
         start = tuple(int(s) for s in window[: self.tiles.shape.dimension])
-        return draw_rows(indices, variants, self._variant_hash, self.domain, start)
+        return draw_rows(indices, variants, self.chance, self.domain, start)
 
     @abstractmethod
     def _fill(self, start: tuple[int, ...], out: NDArray[np.int32]) -> None:

@@ -1,12 +1,15 @@
 """How patches are sought: parts of a large sheet, small scales first, the price of what recurs."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
 import tilewright as tw
 from tilewright.analysis.textures.repetition import same_place_share
 from tilewright.analysis.textures.sample import lay_sample
-from tilewright.signals.textures import matching, nested
+from tilewright.signals.textures import matching
+from tilewright.signals.textures.manner import NESTED
 from tilewright.signals.textures.matching import cut_into_blocks
 from tilewright.signals.textures.patchwork import Patchwork, thinned
 from tilewright.signals.textures.sheet import Sheet
@@ -70,8 +73,9 @@ def test_a_blur_spreads_a_point_by_its_sigma(sigma):
 
 def test_a_price_on_what_recurs_lowers_repetition(gravel, monkeypatch):
     cheap, dear = [], []
-    for price, found in ((0.0, cheap), (nested.RECURRENCE, dear)):
-        monkeypatch.setattr("tilewright.signals.textures.nested.RECURRENCE", price)
+    for price, found in ((0.0, cheap), (NESTED.recurrence, dear)):
+        manner = dataclasses.replace(NESTED, recurrence=price)
+        monkeypatch.setattr("tilewright.signals.textures.treatment.NESTED", manner)
         material = tw.texture_tiles(gravel, tw.corner_tiles(2), tile_size=96, seed=1)
         found.append(same_place_share(lay_sample(material, 12)))
     assert dear[0] < 0.92 * cheap[0]

@@ -20,7 +20,7 @@ from tilewright.shaders.lookup import ARRAY_TILES, MOST_COLORS, lookup, numbers,
 from tilewright.shaders.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import is_normal, is_signed, to_linear
-from tilewright.tiles import CORNER
+from tilewright.tiles.classes import are_by_class
 from tilewright.tilings.streams import VARIANTS
 
 FACTS = "tilewright.json"
@@ -68,8 +68,13 @@ class Kit:
 
     @property
     def colors(self) -> int:
-        """Colors of the corner set."""
-        return self.material.tiles.colors[0]
+        """Colors of the corner set, or of each of its classes."""
+        return int(self.material.tiles.parameters["colors"])
+
+    @property
+    def classes(self) -> int:
+        """Classes of lattice points; 1 where there are none."""
+        return int(self.material.tiles.parameters.get("classes", 1))
 
     @property
     def variants(self) -> int:
@@ -119,12 +124,21 @@ class Kit:
 
     def lookup(self, dialect: str) -> str:
         """The include file of a dialect; see `lookup`."""
-        return lookup(dialect, self.colors, self.seed, self.material.tile_size, self.gutter, self.variants)
+        return lookup(
+            dialect,
+            self.colors,
+            self.seed,
+            self.material.tile_size,
+            self.gutter,
+            self.variants,
+            self.classes,
+        )
 
     def numbers(self) -> dict[str, str | bool]:
         """What templates are filled with: the numbers of the lookup, and which slots have a map."""
         slots = {f"has_{name}": name in self.slots for name in ("color", "normal", "roughness", *_SLOTS)}
-        return numbers(self.colors, self.seed, self.material.tile_size, self.gutter, self.variants) | slots
+        size, gutter = self.material.tile_size, self.gutter
+        return numbers(self.colors, self.seed, size, gutter, self.variants, self.classes) | slots
 
     def finish(
         self,
@@ -166,15 +180,30 @@ def prepare(material: TextureTiles, seed: int, *, atlas: bool = False, green: st
         alike.
     """
     tiles = material.tiles
-    if tiles.shape is not CORNER or not tiles.is_complete or tiles.colors[0] > MOST_COLORS:
+    if material.tone is not None:
+        raise TilewrightValueError(
+            "has tone outside its tiles, which engine shaders do not lay",
+            argument="material",
+            advice="make the texture with tone=False",
+        )
+    pictures = len(tiles) * even_variants(material)
+    atlas = atlas or pictures > ARRAY_TILES
+    if tiles.family == "classed" and atlas:
+        raise TilewrightValueError(
+            f"has {pictures} pictures over tiles in classes, which go into a texture array of up to "
+            f"{ARRAY_TILES} layers; this target takes an atlas",
+            argument="material",
+            advice="make the texture over corner_tiles()",
+        )
+    known = tiles.family == "corner" or (tiles.family == "classed" and are_by_class(tiles))
+    if not known or tiles.parameters["colors"] not in range(1, MOST_COLORS + 1):
         raise TilewrightValueError(
             f"is over the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; engine shaders "
             "find tiles of complete corner sets: make the texture over corner_tiles(C), C 1 to "
             f"{MOST_COLORS}",
             argument="material",
         )
-    pictures = len(tiles) * even_variants(material)
-    return Kit(material, seed, "atlas" if atlas or pictures > ARRAY_TILES else "array", green)
+    return Kit(material, seed, "atlas" if atlas else "array", green)
 
 
 def find_slots(material: TextureTiles) -> dict[str, str]:
@@ -240,6 +269,7 @@ def _readme(
     even = size % kit.gutter == 0 if kit.gutter else size & (size - 1) == 0
     deep = any(pixels.dtype != np.uint8 for pixels in material.maps.values())
     several = f" in {kit.variants} variants" if kit.variants > 1 else ""
+    classes = f" of each of {kit.classes} classes" if kit.classes > 1 else ""
     photograph = next(iter(material.sources[0].values())).shape[1]
 
     def total(*formats: str) -> str:
@@ -250,7 +280,7 @@ def _readme(
     )
     lines = [
         f"{name}, made by tilewright {__version__}: {len(material.tiles)} corner tiles{several}, "
-        f"{kit.colors} colors, {size} px, seed {kit.seed}, as {kit.form}.",
+        f"{kit.colors} colors{classes}, {size} px, seed {kit.seed}, as {kit.form}.",
         f"Checked: {checked}.",
         *steps,
         f"Maps: {maps}; green of normals points {'up (OpenGL)' if kit.green == 'gl' else 'down (DirectX)'}"
@@ -284,6 +314,7 @@ def _write_facts(kit: Kit, folder: Path, files: dict[str, str]) -> None:
         "form": kit.form,
         "tiles": len(kit.material.tiles),
         "colors": kit.colors,
+        **({"classes": kit.classes} if kit.classes > 1 else {}),
         "tile_size": kit.material.tile_size,
         "gutter": kit.gutter or 0,
         "seed": kit.seed,

@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.parts import fill, part
-from tilewright.export.viewer.pictures import describe_map, encode_png, mean_color
+from tilewright.export.viewer.pictures import describe_map, encode_png, mean_color, shown_tone
 from tilewright.export.viewer.sets import describe_set
 from tilewright.fields import TextureField
 from tilewright.fields.photos.contenders import Contender, SideBySide
 from tilewright.fields.photos.gaussian import gaussianize
 from tilewright.fields.photos.methods import NoiseField, patch_range, triangle_grid
 from tilewright.pixels import without_alpha
-from tilewright.signals.textures import copy_from_sources
+from tilewright.signals.textures import TextureTiles, copy_from_sources
 
 # Figure -> (head of its column, what it says); those of contrast share a column.
 _COLUMNS = {
@@ -43,9 +43,10 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
         plane: dict[str, Any] = {"name": one.name, "label": one.label}
         if isinstance(one.field, TextureField):
             tiles = one.field.material
-            shown = copy_from_sources(({name: photo},), tiles.origins)[name]
+            shown = _shown_tiles(tiles, name, photo)
+            tone = shown_tone(tiles, name)
             plane["tiles"] = describe_set(
-                tiles.tiles, tiles.variants, seed, [describe_map(name, shown, light)]
+                tiles.tiles, tiles.variants, seed, [describe_map(name, shown, light, tone)], tiles.tone
             )
             plane["own"] = tiles is compare.material
         else:
@@ -57,6 +58,15 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
         "planes": planes,
         "photo": _describe_photo(photo, light),
     }
+
+
+def _shown_tiles(tiles: TextureTiles, name: str, photo: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Tiles in the bytes of the photograph; where tone is laid over them, what they hold."""
+    if tiles.tone is None:
+        return copy_from_sources(({name: photo},), tiles.origins)[name]
+    light = tiles.kinds[name] == "color"
+    shown, _ = screen_bytes(tiles.maps[name], light)
+    return np.ascontiguousarray(without_alpha(shown)) if light else shown
 
 
 def _describe_photo(photo: NDArray[np.uint8], light: bool) -> dict[str, Any]:

@@ -39,7 +39,7 @@ function colorAt(start, x, y, count) {
 
 const SECOND_STREAM = { bits: 5, "marked-edges": 4, "marked-sums": 4 };
 
-const VARIANT_STREAM = 6;
+const VARIANT_STREAM = 6, TONE_STREAM = 512;
 
 /** The tiling of a material: which tile and variant lies at a cell, for a seed. */
 class Lattice {
@@ -58,6 +58,8 @@ class Lattice {
     this.first = startStream(this.tiling.algorithm === "bits" ? second : 0, seed);
     this.marks = startStream(second ?? 0, seed);
     this.draw = startStream(VARIANT_STREAM, seed);
+    // What is stored was laid without a seed.
+    this.tone = startStream(TONE_STREAM, this.tiling.algorithm === "baked" ? 0n : seed);
   }
 
   /** Numbers of the tile at a cell (BigInt, BigInt), -1 where there is none, and of its variant. */
@@ -82,10 +84,10 @@ class Lattice {
       const inside = x >= 0n && y >= 0n && x < BigInt(cells.width) && y < BigInt(cells.height);
       return inside ? cells.values[Number(y) * cells.width + Number(x)] : -1;
     }
-    const edges = algorithm === "corners" ? [] : this.edges(x, y);
-    const start = algorithm === "corners" ? this.first : this.marks;
-    const corners = algorithm === "corners" || algorithm.startsWith("marked")
-      ? this.corners(start, x, y, radices[3]) : [];
+    const cornered = algorithm === "corners" || algorithm === "classed";
+    const edges = cornered ? [] : this.edges(x, y);
+    const start = cornered ? this.first : this.marks;
+    const corners = cornered || algorithm.startsWith("marked") ? this.corners(start, x, y, radices[3]) : [];
     let code = 0;
     edges.forEach((c, slot) => { code = code * radices[slot % 2] + c; });
     corners.forEach((c) => { code = code * radices[3] + c; });
@@ -93,7 +95,12 @@ class Lattice {
   }
 
   corners(start, x, y, count) {
-    return [[1n, 0n], [1n, 1n], [0n, 1n], [0n, 0n]].map(([dx, dy]) => colorAt(start, x + dx, y + dy, count));
+    const { classes } = this.tiling;
+    return [[1n, 0n], [1n, 1n], [0n, 1n], [0n, 0n]].map(([dx, dy]) => {
+      if (!classes) return colorAt(start, x + dx, y + dy, count);
+      const most = BigInt(classes.classes), at = (x + dx + BigInt(classes.step) * (y + dy)) % most;
+      return Number((at + most) % most) * classes.colors + colorAt(start, x + dx, y + dy, classes.colors);
+    });
   }
 
   edges(x, y) {

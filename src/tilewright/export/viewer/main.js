@@ -13,6 +13,7 @@ function readMaterial() {
     unpack(tiles?.tiling.cells, Uint16Array);
     unpack(tiles?.tiling.indexOfCode, Uint16Array);
     unpack(tiles?.tiling.variants, Uint32Array);
+    for (const { tone } of tiles?.maps ?? []) unpack(tone, Uint16Array);
   }
   unpack(material.photo?.inverse, Float32Array);
   return material;

@@ -16,7 +16,7 @@ from tilewright.errors import TilewrightValueError
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.compared import describe_comparison, fill_comparison
 from tilewright.export.viewer.parts import fill, part, shader
-from tilewright.export.viewer.pictures import describe_map
+from tilewright.export.viewer.pictures import describe_map, shown_tone
 from tilewright.export.viewer.sets import BAKED_CELLS, describe_set, is_baked
 from tilewright.fields.photos.contenders import SideBySide
 from tilewright.files.atomic import AnyPath, as_path, check_file, whole_file
@@ -149,7 +149,7 @@ def _describe(material: TextureTiles, seed: int) -> dict[str, Any]:
     for name, pixels in material.maps.items():
         light = material.kinds[name] == "color"
         shown, note = screen_bytes(pixels, light)
-        maps.append(describe_map(name, shown, light))
+        maps.append(describe_map(name, shown, light, shown_tone(material, name)))
         notes.append({"name": name, "note": note})
-    tiles = describe_set(material.tiles, material.variants, seed, maps)
+    tiles = describe_set(material.tiles, material.variants, seed, maps, material.tone)
     return {"maps": notes, "planes": [{"name": "tiles", "label": "Tiles", "own": True, "tiles": tiles}]}

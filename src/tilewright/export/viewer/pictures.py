@@ -7,17 +7,47 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.pixels import white, without_alpha
+from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import to_linear
 
 
-def describe_map(name: str, shown: NDArray[np.uint8], light: bool) -> dict[str, Any]:
-    """A map's pictures, shape (rows, H, W, channels), as the page holds them."""
-    return {
+def describe_map(
+    name: str, shown: NDArray[np.uint8], light: bool, tone: NDArray[np.float32] | None = None
+) -> dict[str, Any]:
+    """A map's pictures, shape (rows, H, W, channels), as the page holds them; tone as a share of white."""
+    described: dict[str, Any] = {
         "name": name,
         "light": light,
         "mean": mean_color(shown, light),
         "tiles": [encode_png(tile) for tile in shown],
     }
+    if tone is not None:
+        described["tone"] = describe_tone(tone)
+    return described
+
+
+def shown_tone(material: TextureTiles, name: str) -> NDArray[np.float32] | None:
+    """Tone of a map as a share of white, None where it has none."""
+    if material.tone is None or name not in material.tone.maps:
+        return None
+    return material.tone.maps[name] / np.float32(white(material.maps[name].dtype))
+
+
+def describe_tone(tone: NDArray[np.float32]) -> dict[str, Any]:
+    """Texels of tone with their mip levels, one after another, as red, green, blue and 0 in half floats."""
+    level = np.zeros((*tone.shape[:2], 4), np.float32)
+    level[..., :3] = without_alpha(tone)
+    levels = [level]
+    while max(level.shape[:2]) > 1:
+        for axis in (0, 1):
+            half = max(1, level.shape[axis] // 2)
+            parts = np.array_split(level, half, axis)
+            level = np.stack([part.mean(axis=axis) for part in parts], axis=axis)
+        levels.append(level)
+    values = b"".join(level.astype("<f2").tobytes() for level in levels)
+    height, width = tone.shape[:2]
+    return {"width": width, "height": height, "values": base64.b64encode(values).decode()}
 
 
 def mean_color(shown: NDArray[np.uint8], light: bool) -> list[float]:

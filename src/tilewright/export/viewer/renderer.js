@@ -187,9 +187,44 @@ class TilePlane {
     this.variants = variants && renderer.table(
       variants.width, variants.height, gl.R32UI, gl.RED_INTEGER, gl.UNSIGNED_INT, variants.values);
     this.textures = new Map();
+    this.tones = tiles.maps.map(({ tone }) => tone && this.#loadTone(tone));
   }
 
   isLoaded(map) { return this.textures.has(map); }
+
+  /** A picture of tone with its mip levels. */
+  #loadTone({ width, height, values }) {
+    const { gl } = this, texture = gl.createTexture();
+    const levels = Math.floor(Math.log2(Math.max(width, height))) + 1;
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    gl.texStorage2D(gl.TEXTURE_2D, levels, gl.RGBA16F, width, height);
+    for (let level = 0, at = 0; level < levels; level++) {
+      const [w, h] = [width, height].map((side) => Math.max(1, side >> level));
+      gl.texSubImage2D(gl.TEXTURE_2D, level, 0, 0, w, h, gl.RGBA, gl.HALF_FLOAT, values.subarray(at, at + 4 * w * h));
+      at += 4 * w * h;
+    }
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.MIRRORED_REPEAT);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.MIRRORED_REPEAT);
+    return texture;
+  }
+
+  #useTone(camera, map, u) {
+    const { gl, lattice, tiles: { tiling: { tone } } } = this, span = BigInt(tone.span);
+    const rest = (cell) => ((cell % span) + span) % span;
+    gl.uniform1i(u.uToned, this.tones[map] ? 1 : 0);
+    gl.activeTexture(gl.TEXTURE3);
+    gl.bindTexture(gl.TEXTURE_2D, this.tones[map] ?? this.tones.find(Boolean));
+    gl.uniform1i(u.uTone, 3);
+    gl.uniform1i(u.uSpan, tone.span);
+    gl.uniform1f(u.uTexel, tone.texel);
+    gl.uniform2ui(u.uToneState, ...lattice.tone);
+    gl.uniform2ui(u.uSquareX, ...words((camera.cellX - rest(camera.cellX)) / span));
+    gl.uniform2ui(u.uSquareY, ...words((camera.cellY - rest(camera.cellY)) / span));
+    gl.uniform2f(u.uSquareRest, this.size * Number(rest(camera.cellX)), this.size * Number(rest(camera.cellY)));
+  }
 
   async load(map) {
     if (this.isLoaded(map)) return;
@@ -216,6 +251,7 @@ class TilePlane {
       gl.uniform1i(u.uTileCount, tiling.variants.tiles);
       gl.uniform2ui(u.uDraw, ...lattice.draw);
     }
+    if (tiling.tone) this.#useTone(camera, look.map, u);
     gl.uniform2ui(u.uFirst, ...lattice.first);
     gl.uniform2ui(u.uMarks, ...lattice.marks);
     gl.uniform4ui(u.uRadices, ...tiling.radices);

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.signals.textures.tone import Tone
 from tilewright.tiles import TileSet
 from tilewright.tiles.variants import Variants
 from tilewright.tilings import stochastic
@@ -13,13 +14,17 @@ from tilewright.tilings.algorithms import recognize
 
 BAKED_CELLS = 256
 """Side of the patch of cells shown where the page cannot evaluate the tiling itself."""
-_IN_SHADER = ("corners", "edges", "sums", "bits", "marked-edges", "marked-sums")
+_IN_SHADER = ("corners", "classed", "edges", "sums", "bits", "marked-edges", "marked-sums")
 _TABLE_WIDTH = 1024
 
 
-def describe_set(tiles: TileSet, variants: Variants, seed: int, maps: list[dict[str, Any]]) -> dict[str, Any]:
-    """All the page needs to lay the pictures of the maps."""
+def describe_set(
+    tiles: TileSet, variants: Variants, seed: int, maps: list[dict[str, Any]], tone: Tone | None = None
+) -> dict[str, Any]:
+    """All the page needs to lay the pictures of the maps, and tone over them."""
     tiling = describe_tiling(tiles, variants, seed)
+    if tone is not None:
+        tiling["tone"] = {"span": tone.span, "texel": tone.texel}
     return {
         "count": len(variants),
         "repeat": _repeatable(tiles),
@@ -53,6 +58,8 @@ def describe_tiling(tiles: TileSet, variants: Variants, seed: int) -> dict[str, 
     colors = dict(zip(tiles.shape.slots, tiles.colors, strict=True))
     radices = [colors.get(slot, 1) for slot in ("N", "E")] + [0, colors.get("NW", 1)]
     described |= {"algorithm": algorithm, "radices": radices}
+    if algorithm == "classed":
+        described["classes"] = tiles.parameters
     if not tiles.is_complete:
         index = np.zeros(int(np.prod(tiles.colors)), np.int64)
         index[tiles.codes] = np.arange(len(tiles))
@@ -64,11 +71,14 @@ def _defines(tiling: dict[str, Any], tiles: TileSet) -> str:
     """What the shader is compiled for."""
     algorithm = tiling["algorithm"]
     marked = algorithm.startswith("marked")
+    cornered = algorithm in ("corners", "classed")
     lines = [f"#define ALGORITHM_{algorithm.upper().replace('-', '_')}"]
+    lines += [f"#define {name.upper()} {n}u" for name, n in tiling.get("classes", {}).items()]
+    lines += ["#define HAS_TONE"] if "tone" in tiling else []
     if algorithm != "baked":
         lines += ["#define COMPLETE"] if tiles.is_complete else []
-        lines += ["#define HAS_EDGES"] if algorithm != "corners" else []
-        lines += ["#define HAS_CORNERS"] if marked or algorithm == "corners" else []
+        lines += ["#define HAS_EDGES"] if not cornered else []
+        lines += ["#define HAS_CORNERS"] if marked or cornered else []
         lines += [f"#define CORNER_STREAM {'uMarks' if marked else 'uFirst'}"]
         lines += ["#define HAS_VARIANTS"] if "variants" in tiling else []
     return "\n".join(lines)

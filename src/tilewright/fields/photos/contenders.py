@@ -144,7 +144,8 @@ def _other_kind(material: TextureTiles, progress: Progress | None) -> TextureTil
     """Corner tiles for edge colors, Wang tiles for corner colors; of equal size, seed and colors."""
     from tilewright.signals.textures import Exemplar, synthesize
 
-    shape, colors = material.tiles.shape, max(material.tiles.colors)
+    shape, tiles = material.tiles.shape, material.tiles
+    colors = tiles.parameters["colors"] if tiles.family == "classed" else max(tiles.colors)
     return synthesize(
         Exemplar(material.sources, material.masks or None, material.recipe.get("weights"), material.kinds),
         corner_tiles(colors) if "N" in shape.slots else wang_tiles(colors),
@@ -167,6 +168,6 @@ def _tiled(name: str, label: str, material: TextureTiles, seed: int) -> Contende
     n, tiles = material.tile_size, material.tiles
     plane = TextureField(material, stochastic(tiles, _CELLS, _CELLS, seed))
     lookups = 0 if tiles.is_complete else 1
-    return Contender(
-        name, label, plane, np.eye(2, dtype=np.int64) * n, 1, lookups, len(material.variants) * n * n
-    )
+    texels = len(material.variants) * n * n
+    fetches = 1 if material.tone is None else 4
+    return Contender(name, label, plane, np.eye(2, dtype=np.int64) * n, fetches, lookups, texels)

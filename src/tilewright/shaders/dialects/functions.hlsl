@@ -48,6 +48,15 @@ uint TwVariant(int2 cell) {
 }
 
 // {{/several}}
+// {{#classed}}
+// Class of the lattice point at a cell's NW corner.
+uint TwClass(int2 cell) {
+  uint x = (uint)cell.x % {{classes}}u + (cell.x < 0 ? {{below}}u : 0u);
+  uint y = (uint)cell.y % {{classes}}u + (cell.y < 0 ? {{below}}u : 0u);
+  return (x + {{step}}u * y) % {{classes}}u;
+}
+
+// {{/classed}}
 // {{#array}}
 // Number of the tile with these corners.
 uint TwTile(uint4 c) { return ((c.x * {{colors}}u + c.y) * {{colors}}u + c.z) * {{colors}}u + c.w; }

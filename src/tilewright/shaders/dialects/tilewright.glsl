@@ -68,6 +68,15 @@ uint twVariant(ivec2 cell) {
 }
 
 // {{/several}}
+// {{#classed}}
+// Class of the lattice point at a cell's NW corner.
+uint twClass(ivec2 cell) {
+  uint x = uint(cell.x) % {{classes}}u + (cell.x < 0 ? {{below}}u : 0u);
+  uint y = uint(cell.y) % {{classes}}u + (cell.y < 0 ? {{below}}u : 0u);
+  return (x + {{step}}u * y) % {{classes}}u;
+}
+
+// {{/classed}}
 // {{#array}}
 // Number of the tile with these corners.
 uint twTile(uvec4 c) { return ((c.x * {{colors}}u + c.y) * {{colors}}u + c.z) * {{colors}}u + c.w; }
@@ -122,14 +131,15 @@ struct TwPlace { vec3 uv; vec2 dx; vec2 dy; };
 TwPlace twFind(vec2 p, ivec2 origin) {
   vec2 cell = floor(p);
   vec2 uv = (p - cell) * {{scale}} + {{gutter}};
-// {{#single}}
-  float layer = float(twTile(twCorners(ivec2(cell) + origin)));
-// {{/single}}
-// {{#several}}
   ivec2 here = ivec2(cell) + origin;
-  float layer = float(twTile(twCorners(here)) * {{variants}}u + twVariant(here));
+  uint layer = twTile(twCorners(here));
+// {{#classed}}
+  layer += twClass(here) * {{tiles}}u;
+// {{/classed}}
+// {{#several}}
+  layer = layer * {{variants}}u + twVariant(here);
 // {{/several}}
-  return TwPlace(vec3(uv, layer), dFdx(p) * {{scale}}, dFdy(p) * {{scale}});
+  return TwPlace(vec3(uv, float(layer)), dFdx(p) * {{scale}}, dFdy(p) * {{scale}});
 }
 
 vec4 twSample(highp sampler2DArray map, TwPlace at) { return textureGrad(map, at.uv, at.dx, at.dy); }

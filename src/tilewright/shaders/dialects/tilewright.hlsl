@@ -30,14 +30,15 @@ struct TwPlace { float3 uv; float2 dx; float2 dy; };
 TwPlace TwFind(float2 p, int2 origin) {
   float2 cell = floor(p);
   TwPlace at;
-// {{#single}}
-  at.uv = float3((p - cell) * {{scale}} + {{gutter}}, (float)TwTile(TwCorners((int2)cell + origin)));
-// {{/single}}
-// {{#several}}
   int2 here = (int2)cell + origin;
-  uint layer = TwTile(TwCorners(here)) * {{variants}}u + TwVariant(here);
-  at.uv = float3((p - cell) * {{scale}} + {{gutter}}, (float)layer);
+  uint layer = TwTile(TwCorners(here));
+// {{#classed}}
+  layer += TwClass(here) * {{tiles}}u;
+// {{/classed}}
+// {{#several}}
+  layer = layer * {{variants}}u + TwVariant(here);
 // {{/several}}
+  at.uv = float3((p - cell) * {{scale}} + {{gutter}}, (float)layer);
   at.dx = ddx(p) * {{scale}};
   at.dy = ddy(p) * {{scale}};
   return at;

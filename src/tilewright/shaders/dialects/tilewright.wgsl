@@ -74,6 +74,14 @@ fn tw_variant(cell: vec2i) -> u32 {
 }
 
 // {{/several}}
+// {{#classed}}
+// Class of the lattice point at a cell's NW corner.
+fn tw_class(cell: vec2i) -> u32 {
+  let low = vec2u(cell) % {{classes}}u + select(vec2u(0u), vec2u({{below}}u), cell < vec2i(0));
+  return (low.x + {{step}}u * low.y) % {{classes}}u;
+}
+
+// {{/classed}}
 // {{#array}}
 // Number of the tile with these corners.
 fn tw_tile(c: vec4u) -> u32 {
@@ -134,14 +142,15 @@ struct TwPlace { uv: vec2f, layer: u32, dx: vec2f, dy: vec2f }
 fn tw_find(p: vec2f, origin: vec2i) -> TwPlace {
   let cell = floor(p);
   let uv = (p - cell) * {{scale}} + {{gutter}};
-// {{#single}}
-  return TwPlace(uv, tw_tile(tw_corners(vec2i(cell) + origin)), dpdx(p) * {{scale}}, dpdy(p) * {{scale}});
-// {{/single}}
-// {{#several}}
   let here = vec2i(cell) + origin;
-  let layer = tw_tile(tw_corners(here)) * {{variants}}u + tw_variant(here);
-  return TwPlace(uv, layer, dpdx(p) * {{scale}}, dpdy(p) * {{scale}});
+  var layer = tw_tile(tw_corners(here));
+// {{#classed}}
+  layer += tw_class(here) * {{tiles}}u;
+// {{/classed}}
+// {{#several}}
+  layer = layer * {{variants}}u + tw_variant(here);
 // {{/several}}
+  return TwPlace(uv, layer, dpdx(p) * {{scale}}, dpdy(p) * {{scale}});
 }
 
 fn tw_sample(map: texture_2d_array<f32>, filtering: sampler, at: TwPlace) -> vec4f {

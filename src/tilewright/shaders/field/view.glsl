@@ -1,7 +1,7 @@
 // What the CPU says of the picture: the rows of the camera's homography, and where its cells lie.
 
 layout(set = 0, binding = 0) uniform View {
-  vec4 x, y, w;
+  vec4 x, y, w;      // x.w: class of the lattice point of cell (0, 0)
   uvec4 west, east;  // start of the hash for x < 0 and x >= 0: two words for y >= 0, two for y < 0
   ivec4 origin;      // lattice point of cell (0, 0); that cell as variants are drawn for it
   uvec4 drawWest, drawEast;  // start of the hash that draws variants

@@ -13,6 +13,14 @@ uniform usampler2D uVariants;    // first row of each tile and of none more, the
 uniform int uTileCount;
 uniform uvec2 uDraw;             // hash state
 #endif
+#ifdef HAS_TONE
+uniform sampler2D uTone;         // tone as a share of white
+uniform bool uToned;             // the map has any
+uniform int uSpan;               // tiles from point to point of the tone's grid
+uniform float uTexel;            // texels of the map along one of tone
+uniform uvec2 uSquareX, uSquareY, uToneState;  // square of the grid with the origin, hash state
+uniform vec2 uSquareRest;        // texels from that square's corner to the origin
+#endif
 
 // --- Which tile: the direct tilings, bit for bit as in tilings/direct.py
 
@@ -30,12 +38,28 @@ uint oneColor(uvec2 start, uvec2 x, uvec2 y, uint count) {
   return finish(startRow(start, x.y, y), x.x, count);
 }
 
+#ifdef ALGORITHM_CLASSED
+// A 64-bit integer in two's complement modulo the number of classes.
+uint classOf(uvec2 a) {
+  const uint word = (0xffffffffu % CLASSES + 1u) % CLASSES, all = word * word % CLASSES;
+  return ((a.y % CLASSES) * word + a.x % CLASSES + (a.y >> 31) * (CLASSES - all)) % CLASSES;
+}
+
+// NE, SE, SW, NW of the cell: colors of the class of each lattice point.
+uvec4 cornerColors(uvec2 start, uvec2 x, uvec2 y, uint count) {
+  uvec2 north = twoColors(start, x, plus(x, 1), y, COLORS);
+  uvec2 south = twoColors(start, x, plus(x, 1), plus(y, 1), COLORS);
+  uvec4 classes = classOf(x) + STEP * classOf(y) + uvec4(1u, 1u + STEP, STEP, 0u);
+  return classes % CLASSES * COLORS + uvec4(north.y, south.y, south.x, north.x);
+}
+#else
 // NE, SE, SW, NW of the cell, from the lattice points around it.
 uvec4 cornerColors(uvec2 start, uvec2 x, uvec2 y, uint count) {
   uvec2 north = twoColors(start, x, plus(x, 1), y, count);
   uvec2 south = twoColors(start, x, plus(x, 1), plus(y, 1), count);
   return uvec4(north.y, south.y, south.x, north.x);
 }
+#endif
 
 #if defined(ALGORITHM_EDGES) || defined(ALGORITHM_MARKED_EDGES)
 // N, E, S, W: one hash on a lattice twice as dense.
@@ -167,6 +191,30 @@ vec4 sampleLevel(vec2 p, int level, float sharp) {
   return sum;
 }
 
+#ifdef HAS_TONE
+// Colors that vary over more than a tile: patches of a small picture around the corners of a triangle of their
+// grid, blended so that their variance stays.
+vec3 toneAt(vec2 p, Footprint f) {
+  float square = float(uSpan * uSide);
+  vec2 q = (p + uSquareRest) / square, cell = floor(q), at = q - cell;
+  bool far = at.x + at.y > 1.0;
+  vec3 weights = far ? vec3(at.x + at.y - 1.0, 1.0 - at.y, 1.0 - at.x) : vec3(1.0 - at.x - at.y, at);
+  ivec2 corners[3] = ivec2[3](far ? ivec2(1) : ivec2(0), ivec2(1, 0), ivec2(0, 1));
+  vec2 size = vec2(textureSize(uTone, 0));
+  float lod = max(0.0, f.lod - log2(uTexel));
+  vec3 sum = vec3(0.0);
+  for (int k = 0; k < 3; k++) {
+    ivec2 point = ivec2(cell) + corners[k];
+    uvec2 x = plus(uSquareX, point.x), y = plus(uSquareY, point.y);
+    uint place = finish(startRow(uToneState, x.y, y), x.x);
+    vec2 middle = vec2((place & 4095u) * uint(size.x) >> 12, (place >> 12) * uint(size.y) >> 12);
+    vec2 texel = (at - vec2(corners[k])) * square / uTexel + middle;
+    sum += weights[k] * textureLod(uTone, texel / size, lod).rgb;
+  }
+  return sum / length(weights);
+}
+#endif
+
 // Beyond the level of one texel per tile many tiles average out towards the mean of the set, half as far for
 // each doubling.
 vec4 planeColor(vec2 p, Footprint f) {
@@ -174,7 +222,11 @@ vec4 planeColor(vec2 p, Footprint f) {
   if (uRepeat >= 0) mean = texel(uRepeat, ivec2(0), uTopLevel, 1);
   float keep = uBaked ? 1.0 : f.keep;
   vec4 light = keep < 0.01 ? mean : mix(mean, integrate(p, f), keep);
-  return toShown(light);
+  vec4 shown = toShown(light);
+#ifdef HAS_TONE
+  if (uRepeat < 0 && uToned) shown.rgb = clamp(shown.rgb + shown.a * toneAt(p, f), 0.0, shown.a);
+#endif
+  return shown;
 }
 
 vec3 palette(uint c) {

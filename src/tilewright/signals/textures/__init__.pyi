@@ -1,12 +1,14 @@
 from .exemplar import (
     Exemplar as Exemplar,
 )
+from .methods import (
+    METHODS as METHODS,
+)
 from .regularity import (
     Regularity as Regularity,
     find_regularity as find_regularity,
 )
 from .synthesis import (
-    METHODS as METHODS,
     resynthesize as resynthesize,
     synthesize as synthesize,
 )

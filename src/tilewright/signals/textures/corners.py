@@ -14,8 +14,10 @@ SAMPLES = 1200
 """Random positions among which the corner patches are chosen."""
 ARM = 0.22
 """Half the length of the strips that are compared, in tiles."""
-PLAINNESS, SHOWN = 3.0, 0.35
-"""How much a conspicuous place is marked down, and the side of what stays of a corner patch, in tiles."""
+SHOWN = 0.35
+"""Side of what stays of a corner patch, in tiles."""
+SWEEPS = 5
+"""Times that every corner patch is chosen anew for the others."""
 
 
 def choose_corners(search: PatchSearch, plan: Plan, overlap: int, rng: np.random.Generator) -> list[Place]:
@@ -32,13 +34,70 @@ def choose_corners(search: PatchSearch, plan: Plan, overlap: int, rng: np.random
     penalty = np.ones(len(candidates.rows))
     if search.period is None:
         side = round(SHOWN * search.size)
-        penalty += PLAINNESS * search.conspicuous_at(candidates.rows, candidates.columns, side)
+        plainness = search.manner.plainness[0]
+        penalty += plainness * search.conspicuous_at(candidates.rows, candidates.columns, side)
     # Step 3: one place after the other, each the one that meets those before it best.
     chosen = dict(candidates.picked)
     for corner in range(len(plan.corner_sources)):
         if corner not in chosen:
             chosen[corner] = _next_corner(candidates, misfit, penalty, chosen, corner, search.size)
     return _record(search, [candidates.place(chosen[c]) for c in range(len(plan.corner_sources))])
+
+
+def choose_meeting_corners(
+    search: PatchSearch, plan: Plan, overlap: int, rng: np.random.Generator
+) -> list[Place]:
+    """A position for each corner patch, so that those meet well that can meet in a tiling.
+
+    As `choose_corners`, but a sum over the pairs at the ends of the plan's edges alone, and made less by
+    choosing one patch after the other anew (coordinate descent).
+    """
+    # Step 1: places in step with the lattice, without lone things as far as there are others.
+    candidates = _candidates(search, plan, overlap, rng)
+    # Step 2: how badly any two of them meet, and how conspicuous each is.
+    east, south = _misfits(search, candidates.rows, candidates.columns, overlap)
+    penalty = np.ones(len(candidates.rows))
+    if search.period is None:
+        side = round(SHOWN * search.size)
+        plainness = search.manner.plainness[0]
+        penalty += plainness * search.conspicuous_at(candidates.rows, candidates.columns, side)
+    if search.manner.popping:
+        penalty += search.manner.popping * search.bars.popping_at(candidates.rows, candidates.columns)
+    # Step 3: every patch in turn at the place that meets its neighbors best, far from the others.
+    near = ~candidates.apart(search.size)
+    chosen = dict(candidates.picked)
+    for sweep in range(SWEEPS):
+        before = dict(chosen)
+        for corner in range(len(plan.corner_sources)):
+            if corner in candidates.picked:
+                continue
+            others = [place for c, place in chosen.items() if c != corner]
+            total = np.diag(east) + np.diag(south) if sweep == 0 else np.zeros(len(penalty))
+            for edge in plan.edges:
+                misfit = (east, south)[edge.axis]
+                if edge.first == corner == edge.second:
+                    total = total + np.diag(misfit)
+                elif edge.first == corner and edge.second in chosen:
+                    total = total + misfit[:, chosen[edge.second]]
+                elif edge.second == corner and edge.first in chosen:
+                    total = total + misfit[chosen[edge.first]]
+            total = np.where(candidates.free[corner], total * penalty, np.inf)
+            chosen[corner] = _least(total, np.asarray(near[others].any(axis=0)), corner, search.size)
+        if chosen == before:
+            break
+    return _record(search, [candidates.place(chosen[c]) for c in range(len(plan.corner_sources))])
+
+
+def _least(total: NDArray[np.float64], near: NDArray[np.bool_], corner: int, size: int) -> int:
+    """The least of those not near the others, or of all where none is left."""
+    apart = np.where(near, np.inf, total)
+    best = int(np.argmin(apart if np.isfinite(apart).any() else total))
+    if not np.isfinite(total[best]):
+        raise TilewrightValueError(
+            f"no place is left for corner patch {corner}: the exemplar is too small for tiles of {size} "
+            "pixels"
+        )
+    return best
 
 
 def random_corners(search: PatchSearch, plan: Plan, rng: np.random.Generator) -> list[Place]:
@@ -149,7 +208,7 @@ def _sample(
     """Random positions whose surroundings, half a tile and the overlap, lie inside the source."""
     reach = search.size // 2 + overlap
     places = search.matcher.places_of_size(2 * reach, (source,))
-    y, x = places.nonzero()
+    y, x = search.bars.open_corners(places, reach).nonzero()
     if not len(y):
         raise TilewrightValueError(
             f"has no usable square of {2 * reach + 2} pixels, which tiles of {search.size} pixels need",
@@ -164,6 +223,14 @@ def _misfit(
     search: PatchSearch, rows: NDArray[np.int64], columns: NDArray[np.int64], overlap: int
 ) -> NDArray[np.float64]:
     """misfit[a, b]: how badly b continues a towards the east and towards the south."""
+    east, south = _misfits(search, rows, columns, overlap)
+    return east + south
+
+
+def _misfits(
+    search: PatchSearch, rows: NDArray[np.int64], columns: NDArray[np.int64], overlap: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """[a, b] of each: how badly b continues a towards the east, and towards the south."""
     half, arm = search.size // 2, int(ARM * search.size)
     step = max(2, search.size // 48)
     features = integer_features(search.sheet)
@@ -176,7 +243,7 @@ def _misfit(
 
     along, near, far = (-arm, arm), (half - overlap, half + overlap), (-half - overlap, -half + overlap)
     east = squared_distances(strips(along, near), strips(along, far))
-    return east + squared_distances(strips(near, along), strips(far, along))
+    return east, squared_distances(strips(near, along), strips(far, along))
 
 
 def integer_features(sheet: Sheet) -> NDArray[np.float64]:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
-from tilewright.signals.textures.corners import PLAINNESS, SHOWN, integer_features, squared_distances
+from tilewright.signals.textures.corners import SHOWN, integer_features, squared_distances
 from tilewright.signals.textures.frame import Frame
 from tilewright.signals.textures.nested import center_opening, even, inside_border, lay_centers
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
@@ -49,14 +49,14 @@ def lay_diamonds_with_centers(
     """Cohen's diamonds under a patch of its own in the middle of each variant of each tile."""
     frame = Frame(search.size)
     # Step 1: a sample for each edge color, plain ones first.
-    samples = choose_samples(search, tiles, rng, PLAINNESS)
+    samples = choose_samples(search, tiles, rng, search.manner.plainness[0])
     openings = []
     for slots in tiles.slots:
         # Step 2: the four samples of the tile's edges, combined as in Cohen et al. 2003, section 3.2.
         canvas = _join(search, frame, samples, slots, _near_diagonals(frame))
         # Step 3: a patch of the tile's own over their seams, as corner tiles have (Lagae & Dutré 2006, 5.1).
         shown = [samples.in_tile(frame, side, slots) for side in range(4)]
-        openings.append(center_opening(frame, canvas, (0,), shown))
+        openings.append(center_opening(search, frame, canvas, (0,), shown))
     return lay_centers(search, openings, variants)
 
 

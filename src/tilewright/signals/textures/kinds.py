@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.pixels import MAP_WORDS, has_alpha, white, without_alpha
+from tilewright.pixels import LUMINANCE, MAP_WORDS, has_alpha, white, without_alpha
 
 KINDS = ("color", "data", "roughness", "height", "normal-gl", "normal-dx")
 """Light (sRGB where 8 or 16 bit, linear where float); numbers; roughness of a surface; heights of a surface;
@@ -124,3 +124,39 @@ def _divided(values: Values) -> Values:
         return values
     alpha = values[..., -1:]
     return np.concatenate([values[..., :-1] / np.maximum(alpha, 1e-6), alpha], axis=-1)
+
+
+def to_lab(pixels: NDArray[Any], kind: str) -> Values:
+    """CIE L*a*b* of color under D65, shape (h, w, 3), and L* alone of gray; other maps from 0 to 100.
+
+    CIE 15:2018, section 8.2.1.
+    """
+    colors = without_alpha(pixels)
+    if kind != "color":
+        shown = colors.astype(np.float32)
+        low, high = (
+            (0.0, float(white(pixels.dtype))) if pixels.dtype.kind == "u" else (shown.min(), shown.max())
+        )
+        return np.asarray((shown - low) * np.float32(100 / max(float(high - low), 1e-12)))
+    light = to_linear(_scaled(colors)) if pixels.dtype.kind == "u" else _scaled(colors)
+    if light.shape[-1] == 1:
+        return np.asarray(116 * _cube_root(light) - 16)
+    x, y, z = (sum(w * light[..., c] for c, w in enumerate(row)) for row in _XYZ)
+    x, y, z = (_cube_root(np.asarray(v, np.float32)) for v in (x, y, z))
+    return np.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], axis=-1)
+
+
+_XYZ = (
+    (0.4124 / 0.9505, 0.3576 / 0.9505, 0.1805 / 0.9505),
+    LUMINANCE,
+    (0.0193 / 1.089, 0.1192 / 1.089, 0.9505 / 1.089),
+)
+"""CIE XYZ over that of white, from linear sRGB (IEC 61966-2-1)."""
+
+
+def _cube_root(share: Values) -> Values:
+    """The function f of CIE L*a*b*: a cube root with a straight foot."""
+    foot = (6 / 29) ** 3
+    return np.where(
+        share > foot, np.cbrt(np.maximum(share, foot)), share / (3 * (6 / 29) ** 2) + np.float32(4 / 29)
+    )

@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.signals.textures.corners import choose_corners
+from tilewright.signals.textures.corners import choose_corners, choose_meeting_corners
 from tilewright.signals.textures.frame import Frame, shared_border
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
 from tilewright.signals.textures.plan import Edge, Plan
@@ -41,19 +41,13 @@ CENTER_CORE = 0.30
 at 0.40 they are 1.49 times, and 0.14 is shared."""
 MIXED_CORE = 0.5
 """The cores shrink to this share where two sources meet, so that the cut decides where one ends."""
-EDGE_PLAINNESS, CENTER_PLAINNESS = 0.7, 0.3
-"""How much a conspicuous place is marked down: a factor on its misfit, for each unit by which it stands out.
-Corner patches recur most and have their own. In noise, where nothing stands out, none and twice as much are
-alike."""
-RECURRENCE = 0.17
-"""What every older pixel costs that an edge patch or a center patch leaves, see `Opening`, in steps between
-neighboring pixels of the photograph. Without it 0.186 is shared, with 0.34 it is 0.179."""
 
 
 def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, variants: int = 1) -> Patchwork:
     """All variants of all tiles of a plan, stacked: coordinates of shape (T variants, size, size)."""
     frame = Frame(search.size)
-    corners = choose_corners(search, plan, round(OVERLAP * search.size), rng)
+    choose = choose_meeting_corners if search.manner.jointly else choose_corners
+    corners = choose(search, plan, round(OVERLAP * search.size), rng)
     edges: list[Patchwork] = []
     edge_places: list[list[Place]] = []
     for edge in plan.edges:
@@ -70,7 +64,7 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, varian
     for tile, sides in enumerate(plan.tile_edges):
         canvas = join_edges(frame, [edges[e] for e in sides])
         shown = shown_in_tile(frame, plan, tile, corners, edge_places)
-        openings.append(center_opening(frame, canvas, plan.sources_of_tile(tile), shown))
+        openings.append(center_opening(search, frame, canvas, plan.sources_of_tile(tile), shown))
     return lay_centers(search, openings, variants)
 
 
@@ -118,8 +112,18 @@ def lay_edge(
     limit = np.abs(frame.u) + np.abs(frame.v) < frame.half - 1
     limit &= np.abs(along) < frame.half - shared_border(frame.size)
     ends = end_places(frame, edge, corners)
+    manner = search.manner
     opening = Opening(
-        canvas, frame.ring(core, limit), weight, sources, ends, earlier, EDGE_PLAINNESS, RECURRENCE
+        canvas,
+        frame.ring(core, limit),
+        weight,
+        sources,
+        ends,
+        earlier,
+        manner.plainness[1],
+        manner.recurrence,
+        lines=(frame.half, 0) if edge.axis == 0 else (0, frame.half),
+        barred=search.bars.lone_in_edge(edge.axis),
     )
     canvas, place = search.lay(edge.name, opening)
     return canvas, [place]
@@ -171,11 +175,23 @@ def shown_in_tile(
     return shown
 
 
-def center_opening(frame: Frame, canvas: Patchwork, sources: Sequence[int], shown: list[Place]) -> Opening:
+def center_opening(
+    search: PatchSearch, frame: Frame, canvas: Patchwork, sources: Sequence[int], shown: list[Place]
+) -> Opening:
     """What waits for a tile's own patch: everything but the border."""
     core = frame.superellipse(CENTER_CORE * (MIXED_CORE if len(sources) > 1 else 1))
     state = frame.ring(core, inside_border(frame))
-    return Opening(canvas, state, even(frame), sources, shown, (), CENTER_PLAINNESS, RECURRENCE)
+    manner = search.manner
+    return Opening(
+        canvas,
+        state,
+        even(frame),
+        sources,
+        shown,
+        plainness=manner.plainness[2],
+        recurrence=manner.recurrence,
+        barred=None if manner.lone is None else search.bars.spent,
+    )
 
 
 def inside_border(frame: Frame) -> NDArray[np.bool_]:

@@ -20,6 +20,9 @@ class Recipe(msgspec.Struct, omit_defaults=True):
     patches : the place each named patch was taken from.
     picked, rejected : what an artist asked for; see `tilewright.synthesize`.
     variants : pictures of each tile; left out where there is one.
+    tone : whether tone lies outside the tiles.
+    treatment : what was decided for the photograph, see `Treatment`.
+    lone : where things pop out that no corner patch and no edge patch shows.
     """
 
     method: str
@@ -30,6 +33,9 @@ class Recipe(msgspec.Struct, omit_defaults=True):
     picked: dict[str, Spot]
     rejected: dict[str, list[Spot]]
     variants: int = 1
+    tone: bool = False
+    treatment: str = ""
+    lone: list[Spot] = []
 
     @classmethod
     def of(cls, material: TextureTiles) -> "Recipe":

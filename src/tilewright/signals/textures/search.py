@@ -16,16 +16,16 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, uniform_filter
 
 from tilewright.errors import Progress, TilewrightValueError
+from tilewright.signals.textures.bars import FEWEST_OPEN, Bars
+from tilewright.signals.textures.manner import NESTED, Manner
 from tilewright.signals.textures.matching import Matcher, bar_places, best_places
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, thinned
 from tilewright.signals.textures.sheet import Sheet
 
 Place = tuple[int, int]
 
-CANDIDATES = 16
-"""Places that are cut in before the cheapest is kept."""
-FURTHER_CANDIDATES = 12
-"""The same for further variants of a tile, which are seen less often; 16 took a tenth longer in all."""
+FURTHER_CANDIDATES = 0.75
+"""Share of them for further variants of a tile, which are seen less often; all took a tenth longer."""
 SMALL, FINALISTS = 128, 3
 """Pixels along a canvas above which candidates are cut at a smaller scale first, and how many then stay."""
 APART = 1 / 16
@@ -43,8 +43,6 @@ USAGE = 0.5
 """How much a place is marked down for each time it was used."""
 CONTEXT, CONTEXT_SIGMA = 1.0, 1 / 24
 """How much a seam costs more where the two contents differ around it, and how far that looks."""
-EXCLUSION = 0.22
-"""Places nearer than this to one that shows in the same tile are not taken, in tiles."""
 
 
 @dataclass(eq=False)
@@ -78,9 +76,11 @@ class Opening:
     plainness : how much a conspicuous place is marked down: more where the patch will recur more often.
     recurrence : what every old pixel that stays costs, over the root mean square step between neighboring
         pixels of the exemplar: old content shows in more tiles than the patch.
-    candidates : places that are cut in before the cheapest is kept.
+    candidates : places that are cut in before the cheapest is kept, as a share of what the manner says.
     spacing : how far from earlier patches this one is kept, over what is usual; less where there are many of
         them, as else only conspicuous places are left.
+    lines : the row and the column of the canvas that lie on lines of the lattice, beside its border.
+    barred : of every place, whether a patch from there would show what it must not; None where all do.
     """
 
     canvas: Patchwork
@@ -91,8 +91,10 @@ class Opening:
     earlier: Sequence[Place] = ()
     plainness: float = 0.0
     recurrence: float = 0.0
-    candidates: int = CANDIDATES
+    candidates: float = 1.0
     spacing: float = 1.0
+    lines: tuple[int, int] = (0, 0)
+    barred: NDArray[np.bool_] | None = None
 
 
 class Cut(NamedTuple):
@@ -138,8 +140,10 @@ class PatchSearch:
         progress: Progress | None,
         total: int,
         rng: np.random.Generator,
+        manner: Manner = NESTED,
     ) -> None:
         self.sheet = sheet
+        self.manner = manner
         self.size = size
         self.ledger = ledger
         self.period = period
@@ -151,6 +155,7 @@ class PatchSearch:
         self.matcher = Matcher(sheet, size, TONE_SIGMA * size)
         self.conspicuous = conspicuousness(sheet, size)
         self.used = np.zeros(sheet.usable.shape, np.float32)
+        self.bars = Bars(sheet, size, manner)
 
     @property
     def exclusion(self) -> float:
@@ -158,7 +163,7 @@ class PatchSearch:
 
         In a periodic exemplar the right phase recurs once a period, so the radius stays below a third.
         """
-        radius = EXCLUSION * self.size
+        radius = self.manner.exclusion * self.size
         return radius if self.period is None else min(radius, self.period / 3)
 
     def step(self, what: str) -> None:
@@ -186,7 +191,9 @@ class PatchSearch:
                 for cut in self._cut_all(self.small, opening, promise)[:FINALISTS]
             }
         place, where, _ = self._cut_all(self.full, opening, promise)[0]
-        self._mark_used(place, where & (opening.state != FORCED_OLD))
+        shown = where & (opening.state != FORCED_OLD)
+        self._mark_used(place, shown)
+        self.bars.bar_shown(place, shown)
         self.ledger.laid[name] = place
         self.step(name)
         return opening.canvas.with_patch(place, where), place
@@ -200,10 +207,14 @@ class PatchSearch:
             def inside(places: Iterable[Place], top: int = top, left: int = left) -> list[Place]:
                 return [(y - top, x - left) for y, x in places]
 
-            bar_places(score, inside(opening.shown), self.exclusion)
+            if self.manner.jointly:
+                self._bar_if_others_are_left(score, inside(opening.shown), self.exclusion)
+            else:
+                bar_places(score, inside(opening.shown), self.exclusion)
             bar_places(score, inside(self.ledger.rejected.get(name, ())), self.size / 4)
             self._bar_if_others_are_left(score, inside(opening.earlier), opening.spacing * self.exclusion)
-            found = best_places(score, opening.candidates, max(1, round(APART * self.size)))
+            count = round(opening.candidates * self.manner.candidates)
+            found = best_places(score, count, max(1, round(APART * self.size)))
             if found:
                 return {(y + top, x + left): float(score[y, x]) for y, x in found}
         return {}
@@ -231,7 +242,7 @@ class PatchSearch:
 
     def _score(self, block: int, opening: Opening) -> NDArray[np.float32]:
         """Lower is better, for every place of a block; infinite where the patch would leave the sources."""
-        free = self.matcher.places(opening.sources)[self.matcher.inside(block)]
+        free = self._free(opening)[self.matcher.inside(block)]
         if not free.any():
             return np.full(free.shape, np.inf, np.float32)
         state = opening.state
@@ -245,6 +256,15 @@ class PatchSearch:
             score *= 1 + np.float32(opening.plainness) * self._around(self.conspicuous, side, block)
         score[~free] = np.inf
         return score
+
+    def _free(self, opening: Opening) -> NDArray[np.bool_]:
+        """Places whose windows lie in the sources, in step with the lattice, and show nothing barred."""
+        free = self.matcher.places(opening.sources)
+        kept = free & self.bars.in_step(*opening.lines)
+        if opening.barred is None:
+            return kept
+        open_ = kept & ~opening.barred
+        return open_ if open_.sum() > FEWEST_OPEN * kept.sum() else kept
 
     def _around(self, field: NDArray[np.float32], side: int, block: int) -> NDArray[np.float32]:
         """Mean of a field of the sheet over a box in the middle of each window of a block."""

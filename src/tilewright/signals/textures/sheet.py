@@ -1,5 +1,6 @@
 """All sources of an exemplar on one sheet of features, the coordinates synthesis works in."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -45,6 +46,13 @@ class Sheet:
         origins[..., 2] = columns
         return origins
 
+    def lay(self, pictures: Sequence[NDArray[np.bool_]]) -> NDArray[np.bool_]:
+        """Masks of all sources on one sheet, shape (rows, columns)."""
+        laid = np.zeros(self.usable.shape, bool)
+        for top, (h, w), picture in zip(self.tops, self.sizes, pictures, strict=True):
+            laid[top : top + h, :w] = picture
+        return laid
+
     @cached_property
     def grain(self) -> float:
         """Mean squared step from a pixel to its neighbors east and south: what a seam costs at the least."""
@@ -60,7 +68,7 @@ class Sheet:
         out = np.zeros_like(self.features)
         for top, (h, w) in zip(self.tops, self.sizes, strict=True):
             part = self.features[top : top + h, :w]
-            out[top : top + h, :w] = _blur(part, sigma)
+            out[top : top + h, :w] = blur(part, sigma)
         return out
 
     def reduced(self, step: int) -> "Sheet":
@@ -81,7 +89,7 @@ def reduce_blocks(image: NDArray[np.float32], step: int) -> NDArray[np.float32]:
     return blocks.mean(axis=(1, 3), dtype=np.float32)
 
 
-def _blur(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
+def blur(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
     """A Gaussian; wide ones as three boxes of that variance, whose cost does not grow with them."""
     side = 2 * round((np.sqrt(4 * sigma**2 + 1) - 1) / 2) + 1
     if side < 9:

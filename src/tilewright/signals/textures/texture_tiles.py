@@ -10,6 +10,7 @@ from tilewright.checks import shape_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.showing import Shown, describe, many
 from tilewright.signals.textures.kinds import guess_kind
+from tilewright.signals.textures.tone import Tone
 from tilewright.tiles import TileSet
 from tilewright.tiles.variants import Variants, check_variants, name_variants
 
@@ -44,6 +45,8 @@ class TextureTiles(Shown):
         ``"normal-dx"``; guessed from its name where not given.
     variants : Variants
         The rows of each tile and how often each is drawn; one row for each tile by default.
+    tone : Tone or None
+        What lies over the tiles: colors that vary over more than a tile, which the maps do not hold.
 
     Raises
     ------
@@ -63,6 +66,7 @@ class TextureTiles(Shown):
     masks: tuple[NDArray[np.bool_], ...] = ()
     kinds: dict[str, str] = field(default_factory=dict)
     variants: Variants = None  # type: ignore[assignment]  # set below, for the set at hand
+    tone: Tone | None = None
 
     def __post_init__(self) -> None:
         if not self.maps:

@@ -1,0 +1,46 @@
+"""How patches are chosen: what the photograph's character asks of the search."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tilewright.signals.textures.rhythm import Rhythm
+
+
+@dataclass(frozen=True, eq=False)
+class Manner:
+    """Settings of the search, and what it must not do; as they stand, those of method ``"nested"``.
+
+    Attributes
+    ----------
+    candidates : int
+        Places that are cut in before the cheapest is kept.
+    exclusion : float
+        Places nearer than this to one that shows in the same tile are not taken, in tiles.
+    plainness : (float, float, float)
+        How much a conspicuous place is marked down, for corner, edge and center patches.
+    popping : float
+        How much a corner patch is marked down for the thing in it that pops out most, over what is usual.
+    recurrence : float
+        What every older pixel costs that a patch leaves, in steps between neighboring pixels.
+    jointly : bool
+        Whether corner patches are chosen for the pairs that can meet, each again and again, or one after
+        another for all pairs.
+    rhythm : (Rhythm or None, Rhythm or None)
+        Courses of rows and of columns that patches keep in step with.
+    lone : bool array, shape of the sheet, or None
+        Pixels that corner and edge patches must not show, and center patches once.
+    """
+
+    candidates: int = 16
+    exclusion: float = 0.22
+    plainness: tuple[float, float, float] = (3.0, 0.7, 0.3)
+    popping: float = 0.0
+    recurrence: float = 0.17
+    jointly: bool = False
+    rhythm: tuple[Rhythm | None, Rhythm | None] = (None, None)
+    lone: NDArray[np.bool_] | None = None
+
+
+NESTED = Manner()

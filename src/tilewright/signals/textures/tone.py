@@ -1,0 +1,138 @@
+"""Tone: colors that vary over more than a tile, kept out of the tiles and laid over them as noise.
+
+A tile cannot hold what is larger than itself: tiles of different tone stand in squares, and tiles that all
+have the mean tone make a plane without any. So tone is taken out of the photograph before tiles are cut, and
+a field lays it over them again from a small picture of it (`tilewright.fields.tone`).
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import distance_transform_edt, gaussian_filter
+
+from tilewright.pixels import has_alpha
+from tilewright.signals.textures.exemplar import Exemplar, Maps
+from tilewright.signals.textures.kinds import to_encoded, to_linear
+
+Texels = NDArray[np.float32]
+
+SIGMA = 1 / 5
+"""Standard deviation of the Gaussian that leaves tone, in tiles."""
+TEXELS = 16
+"""Texels of tone along a tile: a Gaussian of a fifth of a tile needs no more."""
+STRENGTH = 0.85
+"""Share of tone that leaves the tiles; the rest stays with its things."""
+LAID = 1.0
+"""Share of tone that is laid over them: of what stays, tiles show little, as plain patches are chosen."""
+SPREAD = 4
+"""Grid points along the shorter side of a photograph: a patch is half as wide as that."""
+
+
+@dataclass(frozen=True, eq=False)
+class Tone:
+    """What was taken out of the maps of a photograph, and how it is laid.
+
+    Attributes
+    ----------
+    tile_size : int
+        Pixels along a tile.
+    span : int
+        Tiles from grid point to grid point.
+    maps : dict of str to float32 array, shape (h, w, channels)
+        For each map that has any, its tone around 0, in the map's numbers, or in sRGB from 0 to 1 for maps of
+        float, which hold linear light; a texel is `texel` pixels wide.
+    """
+
+    tile_size: int
+    span: int
+    maps: dict[str, Texels]
+
+    @property
+    def texel(self) -> int:
+        """Pixels along a texel; a tile is a whole number of them."""
+        return texel_of(self.tile_size)
+
+
+def texel_of(tile_size: int) -> int:
+    """Pixels along a texel of tone: the largest that divide a tile and are at most a 16th of it."""
+    return next(t for t in range(max(1, tile_size // TEXELS), 0, -1) if tile_size % t == 0)
+
+
+def take_tone(exemplar: Exemplar, tile_size: int) -> tuple[Tone, Exemplar]:
+    """Take the tone out of a photograph's maps of color.
+
+    Parameters
+    ----------
+    exemplar : Exemplar
+        One source.
+    tile_size : int
+        Pixels along a tile.
+
+    Returns
+    -------
+    Tone
+        What was taken out.
+    Exemplar
+        What is left, of the same type.
+    """
+    (source,), (usable,) = exemplar.sources, exemplar.masks
+    texel = texel_of(tile_size)
+    tones: dict[str, Texels] = {}
+    rest: Maps = {}
+    for name, pixels in source.items():
+        rest[name] = pixels
+        if exemplar.kinds[name] == "color":
+            tone = _find_tone(encoded(pixels), usable, texel, SIGMA * tile_size)
+            rest[name] = _shifted(pixels, -np.float32(STRENGTH) * _enlarged(tone, texel, pixels.shape[:2]))
+            tones[name] = np.float32(LAID) * tone
+    side = min(usable.shape)
+    span = max(1, round(side / SPREAD / tile_size))
+    return Tone(tile_size, span, tones), Exemplar([rest], exemplar.masks, exemplar.weights, exemplar.kinds)
+
+
+def _find_tone(pixels: NDArray[Any], usable: NDArray[np.bool_], texel: int, sigma: float) -> Texels:
+    """Tone around 0, a texel for ``texel`` x ``texel`` pixels; alpha has none."""
+    rows, columns = (-(-n // texel) for n in pixels.shape[:2])
+    # Sums over the usable pixels of every block, and their number.
+    share = usable[..., np.newaxis].astype(np.float32)
+    sums = np.concatenate([pixels * share, share], axis=2)
+    full = np.zeros((rows * texel, columns * texel, sums.shape[2]), np.float32)
+    full[: sums.shape[0], : sums.shape[1]] = sums
+    total = full.reshape(rows, texel, columns, texel, -1).sum(axis=(1, 3), dtype=np.float64)
+    spread = gaussian_filter(total, (sigma / texel, sigma / texel, 0), mode="reflect")
+    known = spread[..., -1] > 1e-6 * texel**2
+    nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
+    spread = spread[tuple(nearest)]
+    low = spread[..., :-1] / spread[..., -1:]
+    mean = (low * total[..., -1:]).sum(axis=(0, 1)) / total[..., -1].sum()
+    tone = low - mean
+    if has_alpha(pixels.shape[2]):
+        tone[..., -1] = 0
+    return tone.astype(np.float32)
+
+
+def _enlarged(texels: Texels, texel: int, shape: tuple[int, ...]) -> NDArray[np.float32]:
+    """Pixels between the middles of texels, by bilinear interpolation."""
+    for axis in (0, 1):
+        at = (np.arange(shape[axis]) + 0.5) / texel - 0.5
+        first = np.floor(at).astype(int)
+        share = (at - first).astype(np.float32).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
+        last = texels.shape[axis] - 1
+        low, high = (np.take(texels, np.clip(n, 0, last), axis) for n in (first, first + 1))
+        texels = low + share * (high - low)
+    return texels
+
+
+def encoded(pixels: NDArray[Any]) -> NDArray[Any]:
+    """Numbers that tone is added to: sRGB, which linear light is turned into."""
+    return to_encoded(pixels) if pixels.dtype.kind == "f" else pixels
+
+
+def _shifted(pixels: NDArray[Any], by: NDArray[np.float32]) -> NDArray[Any]:
+    """Pixels with something added to their encoded numbers, of the same type."""
+    moved = encoded(pixels) + by
+    if pixels.dtype.kind == "f":
+        return to_linear(np.maximum(moved, 0))
+    return np.clip(np.rint(moved), 0, np.iinfo(pixels.dtype).max).astype(pixels.dtype)

@@ -1,0 +1,149 @@
+"""From a photograph's character to how its texture is made: tile set, tile size, tone, manner of search."""
+
+import warnings
+from dataclasses import dataclass
+
+import numpy as np
+
+from tilewright.errors import TilewrightValueError, TilewrightWarning
+from tilewright.signals.textures.character import Character
+from tilewright.signals.textures.exemplar import Exemplar
+from tilewright.signals.textures.manner import NESTED, Manner
+from tilewright.signals.textures.regularity import Regularity
+from tilewright.signals.textures.rhythm import Rhythm
+from tilewright.tiles import TileSet, classed_corner_tiles
+
+SMALLEST_TILE, USUAL_TILE, LARGEST_TILE = 16, 128, 1024
+LARGER = 1.5
+"""Tiles of things and of courses over those of other photographs: large things stay whole."""
+FITTING = 0.01
+"""The same below which no size fits better than another, so that the nearest to the usual one is taken."""
+CANDIDATES = 8
+"""Places that are cut in before the cheapest is kept; of twice as many tiles none is seen as often."""
+EXCLUSION = 0.42
+"""Places nearer than this to one that shows in the same tile are not taken, in tiles: nothing shows twice."""
+OFF_STEP = 0.04
+"""Share of a course by which a tile may miss a whole number of courses and still keep step with them."""
+
+
+@dataclass(frozen=True, eq=False)
+class Treatment:
+    """How a texture is made.
+
+    Attributes
+    ----------
+    name : str
+        ``"courses"``: patches keep step with the courses of the photograph; ``"things"``: tiles large enough
+        for things; ``"even"``: neither.
+    tiles : TileSet
+        What may meet.
+    tile_size : int
+        Pixels along a tile.
+    tone : bool
+        Whether tone is laid outside the tiles.
+    manner : Manner
+        How patches are chosen.
+    """
+
+    name: str
+    tiles: TileSet
+    tile_size: int
+    tone: bool
+    manner: Manner
+
+    @property
+    def bars_lone_things(self) -> bool:
+        """Whether patches that come often must not show what is seldom."""
+        return self.manner.jointly and not all(self.manner.rhythm)
+
+    def period(self, regularity: Regularity) -> float | None:
+        """The period below which like places must not be barred, in pixels."""
+        if not self.manner.jointly:
+            return regularity.shortest_period
+        rows, columns = self.manner.rhythm
+        return min(rows.period, columns.period) if rows and columns else None
+
+
+def usual_size(exemplar: Exemplar) -> int:
+    """Pixels along a tile that go with a photograph's size: 128 for 512 to 1,448 pixels, 512 for 4,096."""
+    side = min(min(m.shape) for m in exemplar.masks)
+    if side < 4 * USUAL_TILE:
+        return max(SMALLEST_TILE, 2 ** int(np.log2(side / 4)))
+    return min(LARGEST_TILE, max(USUAL_TILE, 2 ** round(np.log2(side / 8))))
+
+
+def find_treatment(
+    exemplar: Exemplar, character: Character, tiles: TileSet | None, tile_size: int | None, tone: bool | None
+) -> Treatment:
+    """Decide what was not given.
+
+    Parameters
+    ----------
+    tiles : TileSet or None
+        The set that was asked for.
+    tile_size : int or None
+        Pixels along a tile, as asked for.
+    tone : bool or None
+        Whether tone lies outside the tiles, as asked for.
+    """
+    usual = usual_size(exemplar)
+    if tone is None:
+        tone = character.has_tone and len(exemplar.sources) == 1
+    rhythm = _kept(character.rhythm, tile_size)
+    if any(rhythm):
+        both = all(rhythm)
+        size = tile_size or _size_of_courses(rhythm, usual if both else round(LARGER * usual))
+        plainness = (0.0, 0.0, 0.0) if both else (1.0, 0.7, 0.3)
+        manner = Manner(CANDIDATES, EXCLUSION, plainness, 0.0, 0.17, True, rhythm)
+        return Treatment("courses", tiles or classed_corner_tiles(2, 5 if both else 2), size, tone, manner)
+    if character.has_things and not tone:
+        size = tile_size or 2 * round(LARGER * usual / 2)
+        manner = Manner(CANDIDATES, EXCLUSION, (0.5, 0.3, 0.15), 0.0, 0.08, True)
+        return Treatment("things", tiles or classed_corner_tiles(2, 2), size, tone, manner)
+    manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, 0.17, True)
+    return Treatment("even", tiles or classed_corner_tiles(2, 5), tile_size or usual, tone, manner)
+
+
+def _kept(
+    rhythm: tuple[Rhythm | None, Rhythm | None], size: int | None
+) -> tuple[Rhythm | None, Rhythm | None]:
+    """Rhythms that tiles of a size keep step with; said where one does not."""
+    rows, columns = (_in_step(r, size, what) for r, what in zip(rhythm, ("rows", "columns"), strict=True))
+    return rows, columns
+
+
+def _in_step(rhythm: Rhythm | None, size: int | None, what: str) -> Rhythm | None:
+    if rhythm is None or size is None:
+        return rhythm
+    courses = max(1, round(size / rhythm.period))
+    if abs(size / courses - rhythm.period) <= max(OFF_STEP * rhythm.period, 1):
+        return rhythm
+    below = max(1, int(size / rhythm.period))
+    fits = [2 * round(n * rhythm.period / 2) for n in (below, below + 1)]
+    warnings.warn(
+        f"the {what} of the photograph repeat every {rhythm.period:.0f} pixels, and tile_size {size} is no "
+        f"whole number of them: they are cut where they come; {' or '.join(map(str, fits))} keeps them whole",
+        TilewrightWarning,
+        stacklevel=5,
+    )
+    return None
+
+
+def _size_of_courses(rhythm: tuple[Rhythm | None, Rhythm | None], about: int) -> int:
+    """The even size near ``about`` that is nearest to a whole number of courses along each axis."""
+    sizes = np.arange(max(SMALLEST_TILE, about * 5 // 8 // 2 * 2), min(LARGEST_TILE, about * 2) + 1, 2)
+    cost = 0.1 * np.abs(np.log2(sizes / about))
+    for kept in rhythm:
+        if kept is not None:
+            courses = np.maximum(1, np.round(sizes / kept.period))
+            cost = cost + np.maximum(np.abs(sizes / courses / kept.period - 1), FITTING)
+    return int(sizes[np.argmin(cost)])
+
+
+def plain_treatment(tiles: TileSet, size: int | None, tone: bool | None) -> Treatment:
+    """What the older methods do with any photograph."""
+    if tone:
+        raise TilewrightValueError(
+            "is True, and only method 'faithful' lays tone outside the tiles", argument="tone", value=tone
+        )
+    return Treatment("", tiles, size or USUAL_TILE, False, NESTED)

@@ -1,0 +1,81 @@
+"""The method of the default: what is decided for a photograph, and what it then keeps."""
+
+import numpy as np
+import pytest
+from scipy.ndimage import gaussian_filter
+from test_rhythm import courses
+
+import tilewright as tw
+from tilewright.errors import TilewrightValueError, TilewrightWarning
+from tilewright.signals.textures.lone import lone_things_of
+
+
+def as_photo(picture):
+    return np.repeat(np.clip(np.rint(picture), 0, 255).astype(np.uint8)[..., np.newaxis], 3, axis=2)
+
+
+@pytest.fixture(scope="module")
+def paved():
+    return tw.texture_tiles(as_photo(courses([32] * 12, 384)), method="faithful", tile_size=64, seed=1)
+
+
+def test_courses_go_through_the_plane(paved):
+    assert paved.recipe["treatment"] == "courses"
+    assert len(paved.tiles) == 32
+    plane = tw.TextureField(paved, tw.direct(paved.tiles, seed=2)).render(0, 0, 640, 640)[..., 0]
+    profile = plane.mean(axis=1)
+    phase = profile.reshape(-1, 32).mean(axis=0)
+    # All joints lie at one phase of the lattice.
+    assert phase.max() - np.median(phase) > 25
+    assert np.abs(profile.reshape(-1, 32) - phase).mean() < 6
+
+
+def test_grain_gets_five_classes(gravel):
+    material = tw.texture_tiles(gravel, method="faithful", seed=1, tile_size=32)
+    assert (material.tiles.name, material.recipe["treatment"]) == ("classed-5", "even")
+    assert material.recipe["method"] == "faithful"
+
+
+def test_a_size_off_the_courses_is_said():
+    with pytest.warns(TilewrightWarning, match="64 or 96 keeps"):
+        material = tw.texture_tiles(
+            as_photo(courses([32] * 12, 384)), method="faithful", tile_size=80, seed=1
+        )
+    assert material.recipe["treatment"] != "courses"
+
+
+def test_lone_things_are_found_and_kept_out_of_borders():
+    rng = np.random.default_rng(1)
+    picture = 100 + 10 * gaussian_filter(rng.normal(size=(256, 256)), 1) / 0.28
+    picture[60:66, 190:196] = 250
+    photo = as_photo(picture)
+    masks, spots = lone_things_of(tw.Exemplar([{"albedo": photo}]), 64)
+    assert any(abs(y - 63) < 4 and abs(x - 193) < 4 for _, y, x in spots)
+    assert masks[0][62, 192]
+    assert masks[0].mean() < 0.05
+    material = tw.texture_tiles(photo, method="faithful", tile_size=64, seed=1)
+    shown = (material.pixels[..., 0] > 240).any(axis=(1, 2))
+    assert shown.sum() <= 2
+    # It is in no tile's border, where several tiles would show it.
+    assert material.recipe["lone"]
+
+
+def test_sets_of_ones_own_are_taken(gravel):
+    material = tw.texture_tiles(gravel, tw.corner_tiles(2), method="faithful", tile_size=32, seed=1)
+    assert (len(material.tiles), material.recipe["method"]) == (16, "faithful")
+    with pytest.raises(TilewrightValueError, match="faithful"):
+        tw.texture_tiles(gravel, tw.wang_tiles(2), method="faithful", tile_size=32)
+
+
+@pytest.mark.parametrize("side", [32, 48, 90])
+def test_small_photographs_get_small_tiles(side):
+    photo = np.random.default_rng(2).integers(0, 255, (side, side, 3)).astype(np.uint8)
+    material = tw.texture_tiles(photo, method="faithful", seed=1)
+    assert material.tile_size <= side / 2
+
+
+def test_threads_do_not_matter(gravel):
+    first, second = (
+        tw.texture_tiles(gravel, method="faithful", tile_size=32, seed=1, threads=n) for n in (1, 3)
+    )
+    assert (first.origins == second.origins).all()

@@ -1,0 +1,126 @@
+"""Tone outside the tiles: taken out and laid again, alike in all windows, on tori and in files."""
+
+import numpy as np
+import pytest
+from scipy.ndimage import gaussian_filter
+
+import tilewright as tw
+from tilewright.errors import TilewrightValueError
+from tilewright.fields.tone import tone_window
+from tilewright.signals.textures.tone import STRENGTH, Tone, take_tone, texel_of
+from tilewright.tilings import Domain
+
+
+@pytest.fixture(scope="module")
+def cloudy():
+    """Grain under clouds of color, 256 x 256 x 3."""
+    rng = np.random.default_rng(3)
+    grain = rng.normal(0, 12, (256, 256, 1))
+    clouds = gaussian_filter(rng.normal(0, 1, (256, 256, 3)), (40, 40, 0), mode="wrap")
+    clouds *= 20 / clouds.std(axis=(0, 1))
+    return np.clip(np.rint(120 + clouds + grain), 0, 255).astype(np.uint8)
+
+
+@pytest.fixture(scope="module")
+def toned(cloudy):
+    return tw.texture_tiles(cloudy, method="faithful", tone=True, seed=1)
+
+
+def low(pixels, sigma=24):
+    return gaussian_filter(pixels.astype(float), (sigma, sigma, 0), mode="nearest")
+
+
+@pytest.mark.parametrize(("size", "texel"), [(16, 1), (64, 4), (128, 8), (100, 5), (122, 2), (1024, 64)])
+def test_a_tile_is_a_whole_number_of_texels(size, texel):
+    assert texel_of(size) == texel
+
+
+def test_what_is_taken_and_what_is_left_are_the_photograph(cloudy):
+    tone, held = take_tone(tw.Exemplar([{"albedo": cloudy}]), 64)
+    left = held.sources[0]["albedo"]
+    assert left.dtype == np.uint8
+    # What is left varies less where all is smooth, and has the same mean.
+    assert low(left).std(axis=(0, 1)).max() < (1 - STRENGTH + 0.12) * low(cloudy).std(axis=(0, 1)).min()
+    assert left.mean() == pytest.approx(cloudy.mean(), abs=0.3)
+    assert abs(tone.maps["albedo"].mean()) < 1
+
+
+def test_the_plane_has_the_mean_and_the_contrast_of_the_photograph(cloudy, toned):
+    field = tw.TextureField(toned, tw.direct(toned.tiles, seed=5))
+    plane = field.render(0, 0, 2048, 2048)
+    assert np.abs(plane.mean(axis=(0, 1)) - cloudy.mean(axis=(0, 1))).max() < 3
+    ratio = low(plane, 16).std(axis=(0, 1)) / low(cloudy, 16).std(axis=(0, 1))
+    assert ratio.min() > 0.7
+    assert ratio.max() < 1.3
+
+
+@pytest.mark.parametrize("origin", [(0, 0), (-1000, 77), (2**40 + 3, -(2**50) - 11), (2**66, -(2**66))])
+def test_windows_agree(toned, origin):
+    field = tw.TextureField(toned, tw.direct(toned.tiles, seed=5))
+    x, y = origin
+    whole = field.render(x, y, 150, 130)
+    for dx, dy, w, h in ((0, 0, 1, 1), (149, 129, 1, 1), (63, 5, 40, 90), (100, 100, 50, 30)):
+        assert (field.render(x + dx, y + dy, w, h) == whole[dy : dy + h, dx : dx + w]).all()
+
+
+def test_a_torus_closes(toned):
+    side = toned.tile_size
+    field = tw.TextureField(toned, tw.direct(toned.tiles, seed=5, period=(10, 5)))
+    picture = field.render(-3, 8, 2 * 10 * side, 2 * 5 * side)
+    assert (picture[:, : 10 * side] == picture[:, 10 * side :]).all()
+    assert (picture[: 5 * side] == picture[5 * side :]).all()
+
+
+@pytest.mark.parametrize(("span", "period"), [(1, 7), (3, 9), (4, 6), (3, 7)])
+def test_the_grid_goes_into_any_period(span, period):
+    rng = np.random.default_rng(0)
+    tone = Tone(64, span, {"a": rng.normal(size=(30, 40, 1)).astype(np.float32)})
+    domain, hash = Domain.plane((period, None)), tw.MixerHash(3)
+    here, there = (tone_window(tone, hash, domain, x, 5, 200, 60).maps["a"] for x in (0, 64 * period))
+    assert (here == there).all()
+
+
+def test_seeds_and_strangers_differ(toned):
+    first, second = (
+        tw.TextureField(toned, tw.direct(toned.tiles, seed=s)).render(0, 0, 64, 64) for s in (1, 2)
+    )
+    assert (first != second).any()
+
+
+@pytest.mark.parametrize("kind", ["uint16", "float32", "gray", "alpha"])
+def test_every_type_of_map(cloudy, kind):
+    photo = {
+        "uint16": cloudy.astype(np.uint16) * 257,
+        "float32": (cloudy / 255).astype(np.float32) ** 2.2,
+        "gray": cloudy[..., :1],
+        "alpha": np.concatenate([cloudy, np.full_like(cloudy[..., :1], 200)], axis=2),
+    }[kind]
+    material = tw.texture_tiles(photo, method="faithful", tone=True, tile_size=32, seed=1)
+    plane = tw.TextureField(material, tw.direct(material.tiles, seed=5)).render(0, 0, 900, 900)
+    assert (plane.dtype, plane.shape[2]) == (photo.dtype, photo.shape[2])
+    white = 1 if kind == "float32" else np.iinfo(photo.dtype).max
+    assert np.abs(plane.mean(axis=(0, 1)) - photo.mean(axis=(0, 1))).max() < 0.02 * white
+    if kind == "alpha":
+        assert (plane[..., 3] == 200).all()
+
+
+def test_a_folder_keeps_tone(toned, tmp_path):
+    tw.save(toned, tmp_path / "set")
+    again = tw.load(tmp_path / "set")
+    assert again.tone.span == toned.tone.span
+    assert (again.tone.maps["albedo"] == toned.tone.maps["albedo"]).all()
+    first, second = (
+        tw.TextureField(m, tw.direct(m.tiles, seed=5)).render(9, 9, 99, 99) for m in (toned, again)
+    )
+    assert (first == second).all()
+
+
+def test_a_set_is_made_again_from_its_recipe(toned):
+    again = tw.resynthesize(toned)
+    assert (again.pixels == toned.pixels).all()
+    assert (again.tone.maps["albedo"] == toned.tone.maps["albedo"]).all()
+
+
+def test_other_methods_have_no_tone(cloudy):
+    with pytest.raises(TilewrightValueError, match="faithful"):
+        tw.texture_tiles(cloudy, tw.corner_tiles(2), tile_size=32, tone=True)
