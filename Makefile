@@ -8,6 +8,8 @@ BIN := $(VENV)/bin
 OUT ?= out
 UPDATE ?=
 LOWEST_PYTHON ?= python3.11
+# Every process has one thread for matrices: with more, processes wait for each other.
+PYTEST = OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal
 
 .PHONY: demo test check bench docs gallery lint dist lowest clean
 
@@ -27,11 +29,11 @@ test: $(VENV)/.test-installed
 	sh .ci/install-gpu
 	sh .ci/install-node-tools
 	sh .ci/install-validators
-	$(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal
+	$(PYTEST)
 
 # Laws of tile sets and tilings, and oracles of kernels: what to run while one works.
 check: $(VENV)/.test-installed
-	$(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal \
+	$(PYTEST) \
 		tests/tiles tests/tilings/test_tilings.py tests/tilings/test_hashes.py tests/tilings/test_streams.py \
 		tests/kernels tests/samplers/test_sampler_twins.py tests/signals/textures/test_mincut.py \
 		tests/jobs tests/test_errors.py tests/test_house.py

@@ -1,4 +1,4 @@
-"""Nested patches on every photograph at hand: cuts and repetition together, by numbers."""
+"""Every photograph at hand: cuts and repetition of nested patches, and what is measured of faithful ones."""
 
 import pytest
 from PIL import Image
@@ -33,3 +33,14 @@ def test_sixteen_corner_tiles_of_a_photograph(name):
     assert figures["tone_step_ratio"] <= 1.3
     if name != "weave":  # a weave agrees with itself at such lags
         assert figures["repetition"] <= 0.17
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("name", CUT_LINES)
+def test_faithful_tiles_give_no_figure_to_object_to(name, seed):
+    path = PHOTOGRAPHS / f"{name}.png"
+    if not path.exists():
+        pytest.skip(f"{path.name} is not at hand")
+    report = tw.analyze(tw.texture_tiles(Image.open(path), method="faithful", seed=seed))
+    print(f"\n{name}, seed {seed}: {report.figures}")
+    assert report.objections == []

@@ -19,6 +19,7 @@ from tilewright.export.ktx2 import write_ktx2
 
 NODE_MODULES = Path(__file__).parents[2] / ".venv" / "node" / "node_modules"
 RELEASES = ["three", "three-oldest"]
+# The newest, and the oldest that the export promises; what does not hang on the release is seen in one.
 
 pytestmark = [
     *NEEDS_BROWSER,
@@ -212,7 +213,7 @@ def test_at_one_texel_per_pixel_the_canvas_shows_what_python_renders(
         assert np.array_equal(shown[..., :3], field.render(16 * x + 3, 16 * y + 11, 160, 120))
 
 
-@pytest.mark.parametrize("release", RELEASES)
+@pytest.mark.parametrize("release", RELEASES[:1])
 @pytest.mark.parametrize("channels", [1, 2, 3, 4])
 def test_maps_of_numbers_keep_their_bytes(open_folder, tmp_path, channels, release):
     material = handmade(tw.corner_tiles(2), 16, channels=channels)
@@ -224,7 +225,7 @@ def test_maps_of_numbers_keep_their_bytes(open_folder, tmp_path, channels, relea
     assert np.array_equal(shown[..., :few], wanted[..., :few])
 
 
-@pytest.mark.parametrize("release", RELEASES)
+@pytest.mark.parametrize("release", RELEASES[:1])
 @pytest.mark.parametrize("kind", [np.uint16, np.float32])
 def test_deep_maps_arrive_as_half_floats(open_folder, tmp_path, kind, release):
     material = replace(handmade(tw.corner_tiles(2), 16, kind), kinds={"map0": "data"})
@@ -238,7 +239,7 @@ def test_deep_maps_arrive_as_half_floats(open_folder, tmp_path, kind, release):
     assert np.abs(shown[..., :3] - half).max() < 1e-5
 
 
-@pytest.mark.parametrize("release", RELEASES)
+@pytest.mark.parametrize("release", RELEASES[:1])
 @pytest.mark.parametrize("colors", [2, 5])
 def test_the_levels_on_the_gpu_are_those_in_the_file(open_folder, tmp_path, colors, release):
     """Each level is given a color of its own; seen from afar, that color shows."""
@@ -254,7 +255,7 @@ def test_the_levels_on_the_gpu_are_those_in_the_file(open_folder, tmp_path, colo
         assert set(np.unique(shown[..., 0])) == {9 * k + 5}, k
 
 
-@pytest.mark.parametrize("release", RELEASES)
+@pytest.mark.parametrize("release", RELEASES[:1])
 @pytest.mark.parametrize("kind", [np.uint8, np.float32])
 def test_threes_own_loader_reads_atlases(open_folder, tmp_path, kind, release):
     """Arrays it reads as their first layer, so that the export has a loader of its own."""
@@ -307,7 +308,7 @@ def test_lit_as_by_threes_own_slots(open_folder, tmp_path, green, side, release)
         assert (np.abs(ours - theirs) > 2).mean() < 5e-4, kind
 
 
-@pytest.mark.parametrize("release", RELEASES)
+@pytest.mark.parametrize("release", RELEASES[:1])
 def test_heights_tilt_the_surface_where_there_is_no_normal_map(open_folder, tmp_path, release):
     """A slope of s along a tile, lit from one side: Lambert's cosine says how bright it must be."""
     material = handmade(tw.corner_tiles(1), 64)

@@ -261,6 +261,20 @@ def test_each_method_shows_the_pixels_of_its_twin(open_page, pair, method):
         assert off.mean() < 0.01
 
 
+def test_tone_is_compared_too(open_page, gravel):
+    color = np.stack([gravel[:150, :190, 0], gravel[9:159, 7:197, 0], gravel[300:450, 50:240, 0]], axis=2)
+    material = tw.texture_tiles(color, method="faithful", tone=True, tile_size=32, seed=1)
+    both = side_by_side(material, seed=2)
+    page = open_page(material, seed=2, compare=both)
+    assert (both.contenders["corner"].fetches, len(both.contenders["wang"].field.material.tiles)) == (4, 16)
+    for method in ("corner", "wang"):
+        show(page, method)
+        state = view(page, pixelsPerTile=32)
+        shown = read(page).astype(int)
+        exact = both.contenders[method].field.render(*seen(state, shown))
+        assert np.abs(shown - exact).max() <= (2 if method == "corner" else 0)
+
+
 def test_gray_and_16_bit_photographs_are_compared_as_8_bit(open_page, gravel):
     for photo in (gravel[:128, :128], gravel[:128, :160].astype(np.uint16) * 257):
         material = tw.synthesize(tw.Exemplar([{"a": photo}]), tw.wang_tiles(2), tile_size=32, seed=1)

@@ -1,9 +1,11 @@
 """Fields on a GPU: exact at one texel per pixel, and free of lines when minified."""
 
+from dataclasses import replace
 from math import tan
 
 import numpy as np
 import pytest
+from scipy.ndimage import gaussian_filter
 
 import tilewright as tw
 from drawing import drawn
@@ -21,6 +23,7 @@ from tilewright.shaders.layouts import corner_configurations
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.frame import shared_border
 from tilewright.signals.textures.kinds import from_values, to_values
+from tilewright.signals.textures.tone import Tone
 from tilewright.tilings.tiling import first_mismatch
 
 # Around the origin, across multiples of 2^31 and 2^32 cells of 16 pixels, and at the end of the plane.
@@ -91,6 +94,48 @@ def test_variants_are_those_of_the_rendered_field(tiles, layout, count):
         else:
             wanted = weis_picture(material, tiling, x, y, 150, 110)
         np.testing.assert_array_equal(picture, wanted, err_msg=f"{x}, {y}")
+
+
+def toned(span, dtype=np.uint8):
+    """Calm tiles of 32 pixels under clouds."""
+    rng = np.random.default_rng(4)
+    white = 1 if dtype is np.float32 else np.iinfo(dtype).max
+    clouds = gaussian_filter(rng.normal(0, 0.4, (20, 26, 3)), (3, 3, 0)).astype(np.float32)
+    made = handmade(tw.classed_corner_tiles(2, 5), 32, dtype)
+    calm = {name: (pixels / 4 + white * 0.4).astype(dtype) for name, pixels in made.maps.items()}
+    return replace(made, maps=calm, tone=Tone(32, span, {"map0": clouds * np.float32(white)}))
+
+
+@drawn
+@pytest.mark.parametrize(("span", "dtype"), [(1, np.uint8), (3, np.uint8), (2, np.uint16), (1, np.float32)])
+def test_tone_is_that_of_the_rendered_field(span, dtype):
+    material = toned(span, dtype)
+    tiling = tw.direct(material.tiles, 2**40 + 7)
+    field, plain = GpuField(material, tiling), tw.TextureField(material, tiling)
+    white = 1 if dtype is np.float32 else np.iinfo(dtype).max
+    for x, y in WINDOWS:
+        picture = field.render(OrthographicCamera(x, y, 150, 110)).astype(float)
+        off = np.abs(picture - plain.render(x, y, 150, 110))
+        assert off.max() <= 2.5 / 255 * white
+        assert off.mean() < 0.4 / 255 * white
+
+
+@drawn
+def test_tone_stays_when_tiles_are_seen_from_afar():
+    material = toned(1)
+    tiling = tw.direct(material.tiles, 3)
+    afar = GpuField(material, tiling).render(OrthographicCamera(0, 0, 64, 64, scale=16)).astype(float)
+    plane = tw.TextureField(material, tiling).render(0, 0, 1024, 1024).astype(float)
+    near = plane.reshape(64, 16, 64, 16, 3).mean(axis=(1, 3))
+    assert np.corrcoef(afar.ravel(), near.ravel())[0, 1] > 0.8
+    assert np.abs(afar.mean(axis=(0, 1)) - near.mean(axis=(0, 1))).max() < 3
+
+
+@drawn
+def test_tone_by_a_table_is_refused():
+    material = toned(1)
+    with pytest.raises(TilewrightError, match="tone is laid by the mixer"):
+        GpuField(material, tw.direct(material.tiles, hash="permutation"))
 
 
 @drawn

@@ -14,7 +14,10 @@ from tilewright.gpu.pixels import PixelFormat
 from tilewright.shaders.assembly import VERTEX, assemble, read_part
 from tilewright.shaders.hashing import VIEW_BYTES, ShaderHash
 from tilewright.shaders.layouts import Layout
+from tilewright.shaders.mipmaps import tone_levels
 
+TONE = 5
+"""Binding of the picture of tone; its sampler comes after it."""
 BLOCK = 1024
 """Side of the blocks that a picture is drawn in: their coordinates are exact enough in 32-bit floats."""
 
@@ -22,7 +25,14 @@ BLOCK = 1024
 class Painter:
     """A compiled shader with its textures, and a canvas of one block."""
 
-    def __init__(self, gpu: Gpu, layout: Layout, hash: ShaderHash | None, pixels: PixelFormat) -> None:
+    def __init__(
+        self,
+        gpu: Gpu,
+        layout: Layout,
+        hash: ShaderHash | None,
+        pixels: PixelFormat,
+        tone: NDArray[np.float32] | None = None,
+    ) -> None:
         check_fits(layout, gpu)
         if pixels.target_dtype == np.float32 and not gpu.filters_floats:
             raise GpuError(
@@ -40,6 +50,10 @@ class Painter:
         for binding, mips in enumerate(layout.textures, 3):
             levels = [pixels.upload(level) for level in mips.levels]
             resources[binding] = gpu.texture(levels, pixels.texture, layered=layout.layered)
+        if tone is not None:
+            halves = [level[np.newaxis].astype(np.float16) for level in tone_levels(tone)]
+            resources[TONE] = gpu.texture(halves, "rgba16float", layered=False)
+            resources[TONE + 1] = gpu.sampler("mirror-repeat", "trilinear")
         self._groups = {
             filtering: gpu.bind(self._program, resources | {1: gpu.sampler(layout.address, filtering)})
             for filtering in ("nearest", "trilinear", "anisotropic")

@@ -1,7 +1,7 @@
 """What a shader needs of a lattice hash: start states or a table, and where a block's cells lie."""
 
 import struct
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,13 +30,16 @@ class ShaderHash(Protocol):
         """Entries of the permutation; none for the mixer."""
 
 
-def shader_hash(hash: LatticeHash, counts: tuple[int, ...], variants: int = 1) -> ShaderHash:
-    """The shader's form of a hash that gives ``counts`` colors and draws among so many variants."""
+def shader_hash(
+    hash: LatticeHash, counts: tuple[int, ...], variants: int = 1, *, tone: bool = False
+) -> ShaderHash:
+    """The shader's form of a hash that gives ``counts`` colors, draws among variants and lays tone."""
     if isinstance(hash, MixerHash):
         return _Mixer(hash)
-    if variants > 1:
+    if variants > 1 or tone:
+        what = "variants are drawn" if variants > 1 else "tone is laid"
         raise TilewrightValueError(
-            f"the tiling's hash is {hash.name}; on a GPU variants are drawn by the mixer",
+            f"the tiling's hash is {hash.name}; on a GPU {what} by the mixer",
             value=hash.name,
             advice="use direct(tiles, seed)",
         )
@@ -118,7 +121,15 @@ class _Permutation:
         return np.zeros((2, 4), np.uint32), (x % size + ahead, y % size + ahead)
 
 
-VIEW_BYTES = 128
+VIEW_BYTES = 192
+
+
+class ToneView(NamedTuple):
+    """Where a tone's grid lies: start states, the square that holds cell (0, 0), tiles from its corner."""
+
+    states: NDArray[np.uint32] = _NO_STATES
+    square: tuple[int, int] = (0, 0)
+    rest: tuple[int, int] = (0, 0)
 
 
 def view_bytes(
@@ -128,6 +139,7 @@ def view_bytes(
     draws: NDArray[np.uint32] = _NO_STATES,
     cell: tuple[int, int] = (0, 0),
     place: int = 0,
+    tone: ToneView = ToneView(),  # noqa: B008  # a tuple
 ) -> bytes:
     """The uniform block ``View`` of ``view.glsl``; ``draws`` and ``cell`` are for variants.
 
@@ -137,4 +149,5 @@ def view_bytes(
     packed[:, :3] = rows
     packed[0, 3] = place
     # The shader's ``west`` is for x < 0.
-    return packed.tobytes() + states.tobytes() + struct.pack("4i", *origin, *cell) + draws.tobytes()
+    laid = tone.states.tobytes() + struct.pack("4i4f", *tone.square, 0, 0, *tone.rest, 0, 0)
+    return packed.tobytes() + states.tobytes() + struct.pack("4i", *origin, *cell) + draws.tobytes() + laid

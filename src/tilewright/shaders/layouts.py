@@ -1,6 +1,6 @@
 """How texture tiles lie in textures, and what a shader must be told to read them there."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -87,6 +87,14 @@ def make_layout(material: TextureTiles, layout: str | None, map: str | None) -> 
             argument="layout",
         )
     return _array(material, map) if layout == "array" else _atlas(material, map)
+
+
+def with_tone(layout: Layout, material: TextureTiles) -> Layout:
+    """A layout over which tone is laid."""
+    tone = material.tone
+    assert tone is not None
+    defines = {"SPAN": _real(tone.span), "TONE_TEXELS": _real(tone.tile_size / tone.texel)}
+    return replace(layout, parts=(*layout.parts, "tone.glsl"), defines=layout.defines | defines)
 
 
 def even_variants(material: TextureTiles) -> int:

@@ -137,6 +137,17 @@ def atlas_mipmaps(material: TextureTiles, cells: NDArray[Any], map: str | None =
     return _encode(material, name, _lay(material.maps[name], cells), values, 0)
 
 
+def tone_levels(tone: NDArray[np.float32]) -> list[NDArray[np.float32]]:
+    """Mip levels of a picture of tone, shape (h, w, channels): red, green, blue and 0, to one texel."""
+    level = np.zeros((*tone.shape[:2], 4), np.float32)
+    level[..., :3] = without_alpha(tone)
+    levels = [level]
+    while max(level.shape[:2]) > 1:
+        level = _halve(level[np.newaxis])[0]
+        levels.append(level)
+    return levels
+
+
 def check_map_name(material: TextureTiles, map: str | None) -> str:
     """A map's name, the main one by default."""
     return material.main if map is None else check_choice("map", map, tuple(material.maps))

@@ -23,7 +23,7 @@ def cloudy():
 
 @pytest.fixture(scope="module")
 def toned(cloudy):
-    return tw.texture_tiles(cloudy, method="faithful", tone=True, seed=1)
+    return tw.texture_tiles(cloudy, method="faithful", tone=True, tile_size=32, seed=1)
 
 
 def low(pixels, sigma=24):
@@ -47,14 +47,14 @@ def test_what_is_taken_and_what_is_left_are_the_photograph(cloudy):
 
 def test_the_plane_has_the_mean_and_the_contrast_of_the_photograph(cloudy, toned):
     field = tw.TextureField(toned, tw.direct(toned.tiles, seed=5))
-    plane = field.render(0, 0, 2048, 2048)
+    plane = field.render(0, 0, 1024, 1024)
     assert np.abs(plane.mean(axis=(0, 1)) - cloudy.mean(axis=(0, 1))).max() < 3
     ratio = low(plane, 16).std(axis=(0, 1)) / low(cloudy, 16).std(axis=(0, 1))
     assert ratio.min() > 0.7
     assert ratio.max() < 1.3
 
 
-@pytest.mark.parametrize("origin", [(0, 0), (-1000, 77), (2**40 + 3, -(2**50) - 11), (2**66, -(2**66))])
+@pytest.mark.parametrize("origin", [(0, 0), (-1000, 77), (2**40 + 3, -(2**50) - 11), (2**65, -(2**65))])
 def test_windows_agree(toned, origin):
     field = tw.TextureField(toned, tw.direct(toned.tiles, seed=5))
     x, y = origin
@@ -95,7 +95,7 @@ def test_every_type_of_map(cloudy, kind):
         "gray": cloudy[..., :1],
         "alpha": np.concatenate([cloudy, np.full_like(cloudy[..., :1], 200)], axis=2),
     }[kind]
-    material = tw.texture_tiles(photo, method="faithful", tone=True, tile_size=32, seed=1)
+    material = tw.texture_tiles(photo, method="faithful", tone=True, tile_size=16, seed=1)
     plane = tw.TextureField(material, tw.direct(material.tiles, seed=5)).render(0, 0, 900, 900)
     assert (plane.dtype, plane.shape[2]) == (photo.dtype, photo.shape[2])
     white = 1 if kind == "float32" else np.iinfo(photo.dtype).max

@@ -24,6 +24,24 @@ AFAR = 16
 """Pixels that are seen as one from afar, for tiles of 256; as many for others as keep 16 texels a tile."""
 
 
+def measure_looks(plane: Lab, photo: Lab, size: int, seed: int = 0) -> dict[str, float]:
+    """All figures of a plane of tiles of ``size`` pixels, a tile's corner at its own.
+
+    What a photograph has by itself does not count: a weave has copies and equal neighbors of its own.
+    """
+    found = {
+        "mean_difference": mean_difference(plane, photo),
+        "low_contrast": low_contrast(plane, photo),
+        "fine_contrast": fine_contrast(plane, photo),
+    }
+    copies = {"recurrence": recurrence, "salient_copies": salient_copies}
+    found |= {
+        n: f(plane, photo, size, seed) / max(1.0, f(photo, photo, size, seed)) for n, f in copies.items()
+    }
+    alike = {"equal_neighbors": equal_neighbors, "lattice_spikes": lattice_spikes}
+    return found | {n: max(0.0, f(plane, size) - f(photo, size)) for n, f in alike.items()}
+
+
 def mean_difference(plane: Lab, photo: Lab) -> float:
     """Distance of the mean colors, in units of CIE L*a*b* (delta E 1976)."""
     means = (picture.mean(axis=(0, 1), dtype=np.float64) for picture in (plane, photo))
@@ -54,6 +72,8 @@ def equal_neighbors(plane: Lab, size: int) -> float:
     light = reduce_blocks(plane[..., :1], step)[..., 0]
     n = size // step
     rows, columns = (s // n for s in light.shape)
+    if min(rows, columns) < 2:
+        return 0.0
     fine = light - gaussian_filter(light, n / 8)
     cells = (
         fine[: rows * n, : columns * n].reshape(rows, n, columns, n).swapaxes(1, 2).reshape(rows, columns, -1)
@@ -69,6 +89,8 @@ def recurrence(plane: Lab, photo: Lab, size: int, seed: int = 0) -> float:
     step = max(1, size // 64)
     light = reduce_blocks(plane[..., :1], step)[..., 0]
     side = max(4, round(WINDOW * size / step))
+    if min(light.shape) <= side:
+        return 1.0
     rng = np.random.default_rng(seed)
     tops, lefts = (rng.integers(0, n - side, WINDOWS) for n in light.shape)
     counts = count_copies(light, list(zip(tops.tolist(), lefts.tolist(), strict=True)), side)
@@ -76,7 +98,7 @@ def recurrence(plane: Lab, photo: Lab, size: int, seed: int = 0) -> float:
     return float(np.sort(counts)[-WORST:].mean() / areas)
 
 
-def salient_copies(plane: Lab, photo: Lab, size: int) -> float:
+def salient_copies(plane: Lab, photo: Lab, size: int, seed: int = 0) -> float:
     """Copies of the most repeated of the things that stand out most, on an area of the photograph's size."""
     step = max(1, size // 64)
     small = reduce_blocks(plane, step)
@@ -86,6 +108,8 @@ def salient_copies(plane: Lab, photo: Lab, size: int) -> float:
     half = side // 2
     salience[:half] = salience[-half - 1 :] = salience[:, :half] = salience[:, -half - 1 :] = 0
     peaks = np.argwhere((salience == maximum_filter(salience, 2 * side + 1)) & (salience > 0))
+    if not len(peaks):
+        return 1.0
     order = np.argsort(-salience[tuple(peaks.T)], kind="stable")[:THINGS]
     places = [(int(y) - half, int(x) - half) for y, x in peaks[order]]
     areas = small.shape[0] * small.shape[1] * step**2 / (photo.shape[0] * photo.shape[1])
@@ -117,6 +141,8 @@ def lattice_spikes(plane: Lab, size: int) -> float:
     """Share of the variance seen from afar that is in waves far above those around them."""
     step = max(1, size // AFAR)
     light = reduce_blocks(plane[..., :1], step)[..., 0]
+    if min(light.shape) < AFAR:
+        return 0.0
     light = (light - light.mean()) * np.hanning(light.shape[0])[:, np.newaxis] * np.hanning(light.shape[1])
     power = np.abs(np.fft.fft2(light)) ** 2
     around = median_filter(power, 15, mode="wrap")

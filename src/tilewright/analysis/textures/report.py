@@ -1,12 +1,13 @@
 """All figures of a tile set, and a sheet of pictures to judge it by eye."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.analysis.sheets import check_sheet
+from tilewright.analysis.textures.looks import measure_looks
 from tilewright.analysis.textures.repetition import lattice_share, same_place_share, tile_lag_autocorrelation
 from tilewright.analysis.textures.sample import Sample, lay_sample
 from tilewright.analysis.textures.seams import (
@@ -23,24 +24,89 @@ from tilewright.pixels import as_rgb
 from tilewright.seeds import check_seed
 from tilewright.showing import describe_record
 from tilewright.signals.textures import TextureTiles
+from tilewright.signals.textures.kinds import to_lab
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-# Figure -> (largest value that is good, what it says)
+ANY = (float("-inf"), float("inf"))
+
+
+class Meaning(NamedTuple):
+    """What a figure says.
+
+    Attributes
+    ----------
+    limits : (float, float)
+        Least and most that the eye does not object to.
+    says : str
+    objection : str
+        What it objects to beyond them, with ``{value}`` in it.
+    """
+
+    limits: tuple[float, float]
+    says: str
+    objection: str = ""
+
+
 MEANING = {
-    "cut_line_ratio": (1.1, "color step across cuts over that elsewhere"),
-    "worst_tile_ratio": (1.3, "the same for the worst tile"),
-    "edge_cut_share": (0.03, "pixel pairs across tile borders that do not continue"),
-    "repetition": (0.17, "autocorrelation at tile lags, less the photograph's own"),
-    "repetition_raw": (None, "autocorrelation at tile lags"),
-    "photograph_own": (None, "the photograph's autocorrelation at those lags"),
-    "same_place_share": (0.17, "equal origins at equal places of two cells"),
-    "lattice_share": (0.15, "low-passed variance that is the same in every tile"),
-    "tone_step_ratio": (1.3, "tone of tile middles against borders, over the photograph's"),
-    "seam_novelty": (1.2, "distance of patches on cuts to the photograph, over its own"),
-    "seam_novelty_p95": (2.0, "its 95th percentile"),
-    "used_share": (None, "share of the photograph that the set shows"),
+    "cut_line_ratio": Meaning(
+        (0, 1.1),
+        "color step across cuts over that elsewhere",
+        "cuts show: steps across them are {value:.2f} times those elsewhere",
+    ),
+    "worst_tile_ratio": Meaning((0, 1.3), "the same for the worst tile", "cuts show in one tile"),
+    "edge_cut_share": Meaning(
+        (0, 0.03), "pixel pairs across tile borders that do not continue", "borders of tiles show"
+    ),
+    "repetition": Meaning(
+        (-1, 0.17), "autocorrelation at tile lags, less the photograph's own", "tiles are seen to come again"
+    ),
+    "repetition_raw": Meaning(ANY, "autocorrelation at tile lags"),
+    "photograph_own": Meaning(ANY, "the photograph's autocorrelation at those lags"),
+    "same_place_share": Meaning(
+        (0, 0.17), "equal origins at equal places of two cells", "cells show the same at the same place"
+    ),
+    "lattice_share": Meaning((0, 0.15), "low-passed variance that is the same in every tile"),
+    "tone_step_ratio": Meaning(
+        (0, 1.3), "tone of tile middles against borders, over the photograph's", "tiles differ in tone"
+    ),
+    "seam_novelty": Meaning(
+        (0, 1.2), "distance of patches on cuts to the photograph, over its own", "cuts break what they cross"
+    ),
+    "seam_novelty_p95": Meaning((0, 2.0), "its 95th percentile", "some cuts break what they cross"),
+    "used_share": Meaning(ANY, "share of the photograph that the set shows"),
+    "mean_difference": Meaning(
+        (0, 2), "distance of the mean colors, delta E", "the plane has another color, by {value:.1f} delta E"
+    ),
+    "low_contrast": Meaning(
+        (0.68, 1.3),
+        "contrast of blots of tone over the photograph's",
+        "blots of tone have {value:.2f} of the photograph's contrast",
+    ),
+    "fine_contrast": Meaning(
+        (0.85, 1.15),
+        "contrast of fine detail over the photograph's",
+        "fine detail has {value:.2f} of the photograph's contrast",
+    ),
+    "recurrence": Meaning(
+        (0, 2.2),
+        "copies of windows on the photograph's area, over its own",
+        "a piece of the plane is seen {value:.1f} times on the photograph's area",
+    ),
+    "salient_copies": Meaning(
+        (0, 4.5),
+        "the same of what pops out most",
+        "one thing pops out {value:.1f} times on the photograph's area",
+    ),
+    "equal_neighbors": Meaning(
+        (0, 0.004),
+        "neighboring cells that look alike, less the photograph's own",
+        "equal tiles lie side by side",
+    ),
+    "lattice_spikes": Meaning(
+        (0, 0.006), "variance from afar in spikes, less the photograph's own", "a lattice shows from afar"
+    ),
 }
 
 
@@ -64,10 +130,26 @@ class Report:
     def __str__(self) -> str:
         lines = []
         for name, value in self.figures.items():
-            most, says = MEANING[name]
-            mark = "" if most is None else "  good" if value <= most else f"  over {most:g}"
+            (least, most), says, _ = MEANING[name]
+            mark = f"  over {most:g}" if value > most else f"  below {least:g}" if value < least else ""
             lines.append(f"{name:<18} {value:6.3f}{mark:<11} {says}")
+        found = "; ".join(self.objections)
+        lines.append(
+            f"To object to: {found}."
+            if found
+            else "No figure is beyond its limit; look at the sheet all the same."
+        )
         return "\n".join(lines)
+
+    @property
+    def objections(self) -> list[str]:
+        """What figures beyond their limits say, in words."""
+        said = []
+        for name, value in self.figures.items():
+            (least, most), _, objection = MEANING[name]
+            if objection and not least <= value <= most:
+                said.append(objection.format(value=value))
+        return said
 
     def sheet(self) -> "Figure":
         """Draw photograph, tiles, plane near and far, and cut lines beside the figures.
@@ -80,7 +162,7 @@ class Report:
         from matplotlib.figure import Figure
 
         sample, n = self.sample, self.sample.size
-        picture = _shown(sample.pixels, sample.material)
+        picture = _shown(sample.shown.astype(np.float32), sample.material)
         photo = _shown(sample.material.sources[0][sample.material.main].astype(np.float32), sample.material)
         figure = Figure(figsize=(15, 10), layout="constrained")
         axes = figure.subplots(2, 3).ravel()
@@ -132,7 +214,7 @@ class Report:
 def analyze_texture(
     material: TextureTiles, *, cells: int = 12, seed: int = 0, progress: Progress | None = None
 ) -> Report:
-    """Measure seams, repetition and structure of texture tiles on a random piece of the plane.
+    """Measure seams, repetition, structure and looks of texture tiles on a random piece of the plane.
 
     Parameters
     ----------
@@ -164,7 +246,7 @@ def analyze_texture(
 
     def step(done: int, what: str) -> None:
         if progress is not None:
-            progress(done, 4, what)
+            progress(done, 5, what)
 
     step(0, "seams")
     figures["cut_line_ratio"] = cut_line_ratio(sample)
@@ -180,7 +262,11 @@ def analyze_texture(
     step(3, "structure")
     figures["seam_novelty"], figures["seam_novelty_p95"] = seam_novelty(sample, seed=seed)
     figures["used_share"] = used_share(sample)
-    step(4, "done")
+    step(4, "looks")
+    kind = material.kinds[material.main]
+    plane, photo = (to_lab(p, kind) for p in (sample.shown, material.sources[0][material.main]))
+    figures |= measure_looks(plane, photo, sample.size, seed)
+    step(5, "done")
     return Report({name: round(float(value), 4) for name, value in figures.items()}, sample)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.checks import check_int
+from tilewright.fields import TextureField
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import stochastic
 
@@ -21,10 +22,13 @@ class Sample:
         The picture of each tile.
     cells : int32 array, shape (n, n)
         Picture in each cell: its row in the material's maps.
+    plane : array, shape (n size, n size, channels), or None
+        The main map as a field shows it, with tone over the tiles; None where there is none.
     """
 
     material: TextureTiles
     cells: NDArray[np.int32]
+    plane: NDArray[np.generic] | None = None
 
     @property
     def size(self) -> int:
@@ -52,6 +56,11 @@ class Sample:
     def pixels(self) -> NDArray[np.float32]:
         """The main map, shape (n size, n size, channels)."""
         return self.assemble(self.material.pixels).astype(np.float32)
+
+    @property
+    def shown(self) -> NDArray[np.generic]:
+        """The main map as it is seen, of its own type."""
+        return self.assemble(self.material.pixels) if self.plane is None else self.plane
 
     @cached_property
     def origins(self) -> NDArray[np.int32]:
@@ -97,4 +106,8 @@ def lay_sample(material: TextureTiles, cells: int = 12, seed: int = 0) -> Sample
     """
     n = check_int("cells", cells, 4, 64)
     tiling = stochastic(material.tiles, n, n, seed)
-    return Sample(material, tiling.rows(0, 0, n, n, variants=material.variants))
+    plane = None
+    if material.tone is not None:
+        side = n * material.tile_size
+        plane = TextureField(material, tiling).render(0, 0, side, side)
+    return Sample(material, tiling.rows(0, 0, n, n, variants=material.variants), plane)

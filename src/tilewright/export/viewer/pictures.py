@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.pixels import white, without_alpha
+from tilewright.pixels import white
+from tilewright.shaders.mipmaps import tone_levels
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import to_linear
 
@@ -36,16 +37,7 @@ def shown_tone(material: TextureTiles, name: str) -> NDArray[np.float32] | None:
 
 def describe_tone(tone: NDArray[np.float32]) -> dict[str, Any]:
     """Texels of tone with their mip levels, one after another, as red, green, blue and 0 in half floats."""
-    level = np.zeros((*tone.shape[:2], 4), np.float32)
-    level[..., :3] = without_alpha(tone)
-    levels = [level]
-    while max(level.shape[:2]) > 1:
-        for axis in (0, 1):
-            half = max(1, level.shape[axis] // 2)
-            parts = np.array_split(level, half, axis)
-            level = np.stack([part.mean(axis=axis) for part in parts], axis=axis)
-        levels.append(level)
-    values = b"".join(level.astype("<f2").tobytes() for level in levels)
+    values = b"".join(level.astype("<f2").tobytes() for level in tone_levels(tone))
     height, width = tone.shape[:2]
     return {"width": width, "height": height, "values": base64.b64encode(values).decode()}
 

@@ -13,5 +13,9 @@ void main() {
   vec2 dx = (vec2(view.x.x, view.y.x) - p * view.w.x) / w;
   vec2 dy = (vec2(view.x.y, view.y.y) - p * view.w.y) / w;
   // Towards the horizon cells run out of integers; only the mean of the set is seen there.
-  color = sampleField(clamp(p, -2.0e8, 2.0e8), dx, dy);
+  p = clamp(p, -2.0e8, 2.0e8);
+  color = sampleField(p, dx, dy);
+#ifdef SPAN
+  color.rgb = withTone(color.rgb, p, dx, dy);
+#endif
 }

@@ -14,13 +14,16 @@ uvec2 rowState(int x, int y) {
   return uvec2(a, mix32((s.y ^ a) + uint(y)));
 }
 
-uint finish(uvec2 row, int x, uint count) {
+// 24 bits of a lattice point of the row.
+uint finish24(uvec2 row, int x) {
   uint h = uint(x) ^ row.x;
   h ^= h >> 16; h = h * MULTIPLIER_1 + row.y;
   h ^= h >> 15; h *= MULTIPLIER_2;
   h ^= h >> 15;
-  return ((h >> 8) * count) >> 24;
+  return h >> 8;
 }
+
+uint finish(uvec2 row, int x, uint count) { return (finish24(row, x) * count) >> 24; }
 
 #ifdef VARIANTS
 // Which variant of its tile lies in a cell.
