@@ -52,7 +52,7 @@ def test_peers_make_points_that_keep_their_distance():
 
 
 def test_a_comparison_measures_and_saves(small, tmp_path):
-    found = tw.compare(["uniform", "dart 0.70", "hiller 32"], sets=3)
+    found = tw.compare(["uniform", "dart 0.70", "hiller 32"], sets=2)
     rows = {row["method"]: row for row in found.rows}
     assert rows["uniform"]["rho"] < 0.1 < 0.7 <= rows["dart 0.70"]["rho"]
     assert rows["hiller 32"]["construction_seconds"] > 0

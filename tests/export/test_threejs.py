@@ -2,6 +2,7 @@
 
 import base64
 import functools
+import itertools
 import threading
 from dataclasses import replace
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -279,9 +280,13 @@ def constant(values, kinds):
     return replace(material, maps=maps, kinds=kinds)
 
 
-@pytest.mark.parametrize("release", RELEASES)
-@pytest.mark.parametrize("side", ["FrontSide", "DoubleSide", "BackSide"])
-@pytest.mark.parametrize("green", ["normal-gl", "normal-dx"])
+@pytest.mark.parametrize(
+    ("green", "side", "release"),
+    [
+        *itertools.product(("normal-gl", "normal-dx"), ("FrontSide", "DoubleSide", "BackSide"), RELEASES[:1]),
+        ("normal-dx", "DoubleSide", RELEASES[1]),
+    ],
+)
 def test_lit_as_by_threes_own_slots(open_folder, tmp_path, green, side, release):
     """Constant maps, so that three's own texture slots must show the same."""
     values = {
@@ -332,7 +337,7 @@ def stones(gravel):
     return tw.synthesize(tw.Exemplar([maps]), tw.corner_tiles(2), tile_size=64, seed=1)
 
 
-@pytest.mark.parametrize("release", RELEASES)
+@pytest.mark.parametrize("release", RELEASES[:1])
 def test_the_scene_is_up_within_five_seconds(open_folder, tmp_path, stones, release):
     page = open_folder(export(stones, tmp_path / "a"), release, "index.html", width=640, height=400)
     page.wait_for_function("performance.getEntriesByName('first frame').length")

@@ -84,7 +84,7 @@ def test_corner_colors(gravel, colors):
 
 def test_many_tiles_from_a_small_photograph(gravel):
     """Places run out long before 256 tiles; then they may lie nearer to each other, but still differ."""
-    material = synthesize(small(gravel, 110), corner_tiles(4), tile_size=32, seed=1)
+    material = synthesize(small(gravel, 56), corner_tiles(4), tile_size=16, seed=1)
     centers = {tuple(p) for n, p in material.recipe["patches"].items() if n.startswith("center")}
     assert len(material.pixels) == 256
     assert len(centers) > 100

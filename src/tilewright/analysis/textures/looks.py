@@ -52,13 +52,16 @@ def mean_difference(plane: Lab, photo: Lab) -> float:
 def low_contrast(plane: Lab, photo: Lab) -> float:
     """Standard deviation of the plane's blots of tone over that of the photograph's."""
     sigma = min(photo.shape[:2]) / BLOTS
-    ours, theirs = (_deviation(gaussian_filter(p, (sigma, sigma, 0))) for p in (plane, photo))
+    step = max(1, int(sigma / 4))  # what is left is smooth
+    reduced = (reduce_blocks(picture, step) for picture in (plane, photo))
+    ours, theirs = (_deviation(gaussian_filter(p, (sigma / step, sigma / step, 0))) for p in reduced)
     return ours / max(theirs, 1e-9)
 
 
 def fine_contrast(plane: Lab, photo: Lab) -> float:
     """Standard deviation of what is finer than two pixels over that of the photograph."""
-    ours, theirs = (_deviation((p - gaussian_filter(p, (2, 2, 0)))[..., :1]) for p in (plane, photo))
+    light = (picture[..., :1] for picture in (plane, photo))
+    ours, theirs = (_deviation(p - gaussian_filter(p, (2, 2, 0))) for p in light)
     return ours / max(theirs, 1e-9)
 
 
