@@ -146,6 +146,21 @@ def test_the_page_lays_the_tone_that_python_lays(open_page, span):
     assert np.array_equal(shown, field.render(*origin(state, 32), *shown.shape[1::-1], map="map1"))
 
 
+@pytest.mark.parametrize("tiles", [tw.corner_tiles(3, 2), tw.cohen_tiles(18)], ids=repr)
+def test_a_stored_patch_keeps_its_tone(open_page, tiles):
+    made = handmade(tiles, 32)
+    calm = {name: (pixels // 4 + 96).astype(np.uint8) for name, pixels in made.maps.items()}
+    clouds = gaussian_filter(np.random.default_rng(4).normal(0, 100, (20, 26, 3)), (3, 3, 0)).astype(
+        np.float32
+    )
+    material = dataclasses.replace(made, maps=calm, tone=Tone(32, 1, {"map0": clouds}))
+    page = open_page(material, seed=3)
+    state = view(page, cellX="20", cellY="30", pixelsPerTile=32)
+    shown = read(page).astype(int)
+    field = tw.TextureField(material, tw.stochastic(tiles, 256, 256, 3))
+    assert np.abs(shown - field.render(*origin(state, 32), *shown.shape[1::-1])).max() <= 2
+
+
 def test_a_set_without_a_direct_tiling_is_shown_as_a_patch(open_page):
     material = handmade(tw.cohen_tiles(18), 16)
     page = open_page(material, seed=3)

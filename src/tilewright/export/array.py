@@ -1,8 +1,11 @@
 """A texture array: one layer per tile and variant."""
 
+import warnings
+
 import numpy as np
 
 from tilewright.checks import check_choice
+from tilewright.errors import TilewrightWarning
 from tilewright.files.atomic import AnyPath
 from tilewright.files.images import write_image
 from tilewright.signals.textures import TextureTiles
@@ -33,7 +36,24 @@ def save_array(material: TextureTiles, path: AnyPath, *, map: str | None = None)
         There is no such map, or the suffix does not go with it.
     TilewrightFileError
         The file cannot be written.
+
+    Warns
+    -----
+    TilewrightWarning
+        The map has tone outside the tiles, which is not in the picture.
     """
     name = material.main if map is None else check_choice("map", map, tuple(material.maps))
+    warn_of_tone(material, name)
     tiles = material.maps[name]
     write_image(path, np.ascontiguousarray(tiles.reshape(-1, tiles.shape[2], tiles.shape[3])))
+
+
+def warn_of_tone(material: TextureTiles, map: str) -> None:
+    """Say that a picture of tiles lacks what lies over them."""
+    if material.tone is not None and map in material.tone.maps:
+        warnings.warn(
+            f"map {map!r} has tone outside its tiles, which is not in the picture; make the texture with "
+            "tone=False to keep it in them",
+            TilewrightWarning,
+            stacklevel=3,
+        )

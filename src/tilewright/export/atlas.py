@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.checks import check_choice
+from tilewright.export.array import warn_of_tone
 from tilewright.files.atomic import AnyPath
 from tilewright.files.images import write_image
 from tilewright.shaders.layouts import packed_rows
@@ -40,6 +41,11 @@ def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArr
         The set is not complete, so it has no packing, its tiles have not as many variants each, drawn alike,
         or there is no such map.
 
+    Warns
+    -----
+    TilewrightWarning
+        The map has tone outside the tiles, which is not in the picture.
+
     Examples
     --------
     >>> import numpy as np
@@ -51,6 +57,7 @@ def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArr
     ((64, 64, 3), (4, 4))
     """
     name = material.main if map is None else check_choice("map", map, tuple(material.maps))
+    warn_of_tone(material, name)
     cells, n = packed_rows(material), material.tile_size
     rows, columns = cells.shape
     picture = material.maps[name][cells].swapaxes(1, 2)

@@ -18,6 +18,7 @@ from tilewright.pixels import white, without_alpha
 from tilewright.signals.textures import Exemplar, TextureTiles
 from tilewright.signals.textures.exemplar import check_kinds, check_map
 from tilewright.signals.textures.kinds import is_normal
+from tilewright.signals.textures.tone import take_more_tone
 from tilewright.tiles import TileSet, corner_tiles
 
 if TYPE_CHECKING:
@@ -156,16 +157,18 @@ def add_maps(
             advice="give maps for each of them",
         )
     sizes = [next(iter(s.values())).shape[:2] for s in material.sources]
-    meaning = _Meaning(kinds, normal, flatten)
-    prepared, settled = _prepare([photo] if second is None else [photo, second], meaning, sizes)
-    new = Exemplar(prepared, None, None, settled)
-    maps = copy_maps(new.sources, material.origins, new.kinds, material.tiles, material.variants)
+    photos = [photo] if second is None else [photo, second]
+    prepared, settled = _prepare(photos, _Meaning(kinds, normal, flatten), sizes)
+    new = Exemplar(prepared, material.masks or None, None, settled)
+    tone, held = take_more_tone(material.tone, new)
+    maps = copy_maps(held.sources, material.origins, new.kinds, material.tiles, material.variants)
     recipe = dict(material.recipe)
     if isinstance(recipe.get("weights"), dict):
         recipe["weights"] = dict.fromkeys(new.kinds, 0.0) | recipe["weights"]
     return replace(
         material,
         recipe=recipe,
+        tone=tone,
         maps=material.maps | maps,
         sources=tuple(old | added for old, added in zip(material.sources, new.sources, strict=True)),
         kinds=material.kinds | new.kinds,
@@ -363,9 +366,8 @@ def _open_maps(photo: Photo, what: str) -> dict[str, NDArray[Any]]:
 
 def _open_map(picture: Picture, what: str) -> NDArray[Any]:
     """A map, checked at once, so that what is wrong with a file is said with its name."""
-    return check_map(
-        str(picture) if isinstance(picture, PathLike | str) else what, open_picture(what, picture)
-    )
+    name = str(picture) if isinstance(picture, PathLike | str) else what
+    return check_map(name, open_picture(what, picture))
 
 
 def _fit_mask(mask: NDArray[np.bool_] | None, maps: Mapping[str, NDArray[Any]]) -> NDArray[np.bool_] | None:

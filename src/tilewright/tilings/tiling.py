@@ -28,6 +28,9 @@ class Tiling(Shown, ABC):
         The tiles it is made of.
     domain : Domain
         The cells that have a tile.
+    chance : LatticeHash
+        Where variants of tiles and the tone over them are drawn from: the tiling's own hash where it is
+        `direct`, that of seed 0 elsewhere.
     """
 
     tiles: TileSet

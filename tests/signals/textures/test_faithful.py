@@ -82,3 +82,25 @@ def test_threads_do_not_matter(gravel):
         for n in (1, 3)
     )
     assert (first.origins == second.origins).all()
+
+
+def test_two_photographs_are_marked_in_every_class(gravel):
+    light, dark = 128 + gravel[:160, :160] // 2, gravel[160:320, :160] // 2
+    chosen = tw.texture_tiles(light, second=dark, method="faithful", tile_size=16, seed=1)
+    assert (len(chosen.tiles), chosen.tone) == (256, None)
+    tiles = tw.classed_corner_tiles(2, 2)
+    material = tw.texture_tiles(light, tiles, second=dark, method="faithful", tile_size=16, seed=1)
+    for slot, (y, x) in {"NE": (1, -2), "SE": (-2, -2), "SW": (-2, 1), "NW": (1, 1)}.items():
+        marked = tiles.slots[:, tiles.shape.slot(slot)] % 2 == 1
+        assert np.array_equal(material.origins[:, y, x, 0], marked)
+
+
+def test_courses_of_two_photographs_are_left_alone():
+    wall = as_photo(courses([16] * 12, 192))
+    material = tw.texture_tiles(wall, second=255 - wall, method="faithful", tile_size=32, seed=1)
+    assert material.recipe["treatment"] == "things"
+
+
+def test_a_tile_larger_than_a_wall_is_refused():
+    with pytest.raises(TilewrightValueError, match=r"square of \d+ pixels"):
+        tw.texture_tiles(as_photo(courses([16] * 12, 192)), method="faithful", tile_size=256)

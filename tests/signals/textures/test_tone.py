@@ -5,7 +5,7 @@ import pytest
 from scipy.ndimage import gaussian_filter
 
 import tilewright as tw
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightError, TilewrightValueError, TilewrightWarning
 from tilewright.fields.tone import tone_window
 from tilewright.signals.textures.tone import STRENGTH, Tone, take_tone, texel_of
 from tilewright.tilings import Domain
@@ -124,3 +124,37 @@ def test_a_set_is_made_again_from_its_recipe(toned):
 def test_other_methods_have_no_tone(cloudy):
     with pytest.raises(TilewrightValueError, match="faithful"):
         tw.texture_tiles(cloudy, tw.corner_tiles(2), tile_size=32, tone=True)
+
+
+@pytest.mark.parametrize(
+    ("photo", "options", "words"),
+    [
+        ("color", {"tone": "yes"}, "tone must be True, False or None, not 'yes'"),
+        ("height", {"tone": True}, r"none of the maps holds color: height \(height\)"),
+        ("two", {"tone": True}, "tone is that of one photograph; 2 were given"),
+    ],
+)
+def test_tone_that_cannot_be_is_refused(cloudy, photo, options, words):
+    maps = {"height": cloudy[..., 0]} if photo == "height" else cloudy
+    second = cloudy if photo == "two" else None
+    with pytest.raises(TilewrightError, match=words):
+        tw.texture_tiles(maps, second=second, method="faithful", tile_size=32, **options)
+
+
+def test_maps_without_color_have_no_tone(cloudy):
+    assert tw.texture_tiles({"height": cloudy[..., 0]}, method="faithful", tile_size=16, seed=1).tone is None
+
+
+def test_maps_that_are_added_leave_their_tone_too(cloudy, toned):
+    again = tw.add_maps(toned, {"albedo": cloudy, "emissive": cloudy, "height": cloudy[..., 0]})
+    assert (again.maps["albedo"] == toned.maps["albedo"]).all()
+    assert (again.maps["emissive"] == toned.maps["albedo"]).all()
+    assert list(again.tone.maps) == ["albedo", "emissive"]
+    tiling = tw.direct(toned.tiles, seed=5)
+    first, second = (tw.TextureField(m, tiling).render(-9, 3, 99, 77) for m in (toned, again))
+    assert (first == second).all()
+
+
+def test_pictures_of_tiles_say_that_they_lack_tone(toned, tmp_path):
+    with pytest.warns(TilewrightWarning, match="'albedo' has tone outside its tiles"):
+        tw.save_array(toned, tmp_path / "a.png")

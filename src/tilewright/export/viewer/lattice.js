@@ -44,7 +44,8 @@ const VARIANT_STREAM = 6, TONE_STREAM = 512;
 /** The tiling of a material: which tile and variant lies at a cell, for a seed. */
 class Lattice {
   /**
-   * @param tiling {algorithm, radices: [C of N and S, C of E and W, 0, C of corners], indexOfCode | cells,
+   * @param tiling {algorithm, radices: [C of N and S, C of E and W, 0, C of corners], indexOfCode | cells and
+   *   chance (the seed they were laid with),
    *   variants: {tiles: their number, values: first row of each tile, then the threshold of each row}}
    */
   constructor(tiling) {
@@ -58,8 +59,8 @@ class Lattice {
     this.first = startStream(this.tiling.algorithm === "bits" ? second : 0, seed);
     this.marks = startStream(second ?? 0, seed);
     this.draw = startStream(VARIANT_STREAM, seed);
-    // What is stored was laid without a seed.
-    this.tone = startStream(TONE_STREAM, this.tiling.algorithm === "baked" ? 0n : seed);
+    // What is stored keeps the seed that it was laid with.
+    this.tone = startStream(TONE_STREAM, this.tiling.chance === undefined ? seed : BigInt(this.tiling.chance));
   }
 
   /** Numbers of the tile at a cell (BigInt, BigInt), -1 where there is none, and of its variant. */

@@ -53,8 +53,16 @@ def describe_tiling(tiles: TileSet, variants: Variants, seed: int) -> dict[str, 
     algorithm = known.name if known else ""
     if algorithm not in _IN_SHADER:
         side = BAKED_CELLS
-        cells = stochastic(tiles, side, side, seed).rows(0, 0, side, side, variants=variants)
-        return {"algorithm": "baked", "radices": [0] * 4, "cells": _table(cells), **described}
+        tiling = stochastic(tiles, side, side, seed)
+        cells = tiling.rows(0, 0, side, side, variants=variants)
+        chance = str(int(tiling.chance.seed) % 2**64)
+        return {
+            "algorithm": "baked",
+            "radices": [0] * 4,
+            "cells": _table(cells),
+            "chance": chance,
+            **described,
+        }
     colors = dict(zip(tiles.shape.slots, tiles.colors, strict=True))
     radices = [colors.get(slot, 1) for slot in ("N", "E")] + [0, colors.get("NW", 1)]
     described |= {"algorithm": algorithm, "radices": radices}

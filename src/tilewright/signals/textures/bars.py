@@ -37,34 +37,32 @@ class Bars:
 
     def __init__(self, sheet: Sheet, size: int, manner: Manner) -> None:
         self.sheet, self.size, self.manner = sheet, size, manner
-        # Lone things by number, their boxes, and the places from which one would be shown again.
-        self._things, _ = label(np.zeros(sheet.usable.shape) if manner.lone is None else manner.lone)
-        self._boxes = find_objects(self._things)
         self.spent = np.zeros(tuple(max(0, n - size + 1) for n in sheet.usable.shape), bool)
-        self._in_step: dict[tuple[int, int], NDArray[np.bool_]] = {}
+        if manner.lone is not None:
+            self._things, _ = label(manner.lone)  # by number
+            self._boxes = find_objects(self._things)
 
     def open_corners(self, places: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
         """Of places whose windows have ``reach`` pixels around a lattice point, those open to its patch."""
         height, width = places.shape
         half, margin = self.size // 2, reach - self.size // 2
-        step = self.in_step(half, half)[margin : margin + height, margin : margin + width]
-        kept = places & step
+        kept = self.in_step(places, half, half, margin)
         if self.lone_in_corner is not None:
             bare = kept & ~self.lone_in_corner[reach : reach + height, reach : reach + width]
             kept = bare if bare.sum() > FEWEST_OPEN * kept.sum() else kept
         return kept
 
-    def in_step(self, row: int, column: int) -> NDArray[np.bool_]:
-        """Places whose windows keep step with the courses of a tile, by the window's lines of the lattice."""
-        key = row, column
-        if key not in self._in_step:
-            height, width = self.spent.shape
-            rows, columns = (
-                _in_step(rhythm, self.size, line, count)
-                for rhythm, line, count in zip(self.manner.rhythm, key, (height, width), strict=True)
-            )
-            self._in_step[key] = rows[:, np.newaxis] & columns
-        return self._in_step[key]
+    def in_step(self, places: NDArray[np.bool_], row: int, column: int, margin: int = 0) -> NDArray[np.bool_]:
+        """Of places, those whose windows keep step with the courses of a tile.
+
+        ``row`` and ``column`` of a window lie on lines of the lattice; a window begins ``margin`` pixels
+        after its place.
+        """
+        for axis, (rhythm, line) in enumerate(zip(self.manner.rhythm, (row, column), strict=True)):
+            if rhythm is not None:
+                kept = _in_step(rhythm, self.size, line)[margin : margin + places.shape[axis]]
+                places = places & (kept if axis else kept[:, np.newaxis])
+        return places
 
     @cached_property
     def lone_in_corner(self) -> NDArray[np.bool_] | None:
@@ -112,11 +110,11 @@ class Bars:
         return np.maximum(most / max(float(np.median(most)), 1e-9) - 1, 0)
 
 
-def _in_step(rhythm: Rhythm | None, size: int, line: int, count: int) -> NDArray[np.bool_]:
-    """Of ``count`` places along an axis, whether windows from there keep step."""
-    if rhythm is None:
-        return np.ones(count, bool)
+def _in_step(rhythm: Rhythm, size: int, line: int) -> NDArray[np.bool_]:
+    """Of the places along an axis, whether windows from there keep step."""
     misfit = rhythm.misfit(size, line)
+    if not len(misfit):
+        return np.zeros(0, bool)
     most = max(1.0, (IN_STEP_EVEN if rhythm.even else IN_STEP_UNEVEN) * rhythm.period)
     fewest = np.sort(misfit)[min(FEWEST_ROWS, len(misfit)) - 1]
     return np.asarray(misfit <= max(most, float(fewest)))

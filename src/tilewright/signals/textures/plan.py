@@ -84,7 +84,9 @@ def make_plan(tiles: TileSet, sources: int) -> Plan:
             ends = (int(corners[t, first]), int(corners[t, second]))
             edge = Edge(side % 2, *ends, int(colors[t, side]))
             tile_edges[t, side] = edges.setdefault(edge, len(edges))
-    return Plan(corner_sources(count, sources), tuple(edges), corners, tile_edges)
+    # Each class has plain and marked colors of its own.
+    classes = tiles.parameters["classes"] if tiles.family == "classed" else 1
+    return Plan(classes * corner_sources(count // classes, sources), tuple(edges), corners, tile_edges)
 
 
 def corner_sources(colors: int, sources: int) -> tuple[int, ...]:

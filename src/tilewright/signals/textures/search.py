@@ -259,8 +259,7 @@ class PatchSearch:
 
     def _free(self, opening: Opening) -> NDArray[np.bool_]:
         """Places whose windows lie in the sources, in step with the lattice, and show nothing barred."""
-        free = self.matcher.places(opening.sources)
-        kept = free & self.bars.in_step(*opening.lines)
+        kept = self.bars.in_step(self.matcher.places(opening.sources), *opening.lines)
         if opening.barred is None:
             return kept
         open_ = kept & ~opening.barred

@@ -125,11 +125,14 @@ def synthesize(
     pick, reject = check_choices(pick, reject)
     method = check_method(method, tiles, variants)
     size = check_size(tile_size)
+    if not (tone is None or isinstance(tone, bool)):
+        raise type_error("tone", tone, "True, False or None")
     # Step 1: what the photograph asks for, where nobody asks otherwise.
     regularity = find_regularity(next(iter(exemplar.sources[0].values())))
     if tiles is None or method == "faithful":
-        about = size or usual_size(exemplar)
-        treatment = find_treatment(exemplar, find_character(exemplar, regularity, about), tiles, size, tone)
+        # Seen at its usual size, so that a set made again is treated as it was.
+        character = find_character(exemplar, regularity, usual_size(exemplar))
+        treatment = find_treatment(exemplar, character, tiles, size, tone)
     else:
         treatment = plain_treatment(
             tiles, suited_tile_size(regularity) if tile_size == "auto" else size, tone
@@ -143,9 +146,9 @@ def synthesize(
     # Step 3: patches.
     sheet = make_sheet(held)
     manner = treatment.manner
-    spots: list[Spot] = []
+    lone: list[Spot] = []
     if treatment.bars_lone_things:
-        things, spots = lone_things_of(held, size)
+        things, lone = lone_things_of(held, size)
         manner = replace(manner, lone=sheet.lay(things))
     ledger = Ledger(
         {name: to_sheet(sheet, name, spot) for name, spot in pick.items()},
@@ -175,7 +178,7 @@ def synthesize(
         variants,
         treatment.tone,
         treatment.name,
-        spots,
+        lone,
     )
     # Step 4: every map along the same cuts.
     rows = Variants.uniform(tiles, variants)
@@ -244,7 +247,7 @@ def resynthesize(
         seed=recipe.seed,
         method=recipe.method,
         variants=recipe.variants,
-        tone=recipe.tone or None if recipe.method != "faithful" else recipe.tone,
+        tone=recipe.tone,
         pick=picked,
         reject=rejected,
         threads=threads,

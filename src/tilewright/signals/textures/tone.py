@@ -5,7 +5,7 @@ have the mean tone make a plane without any. So tone is taken out of the photogr
 a field lays it over them again from a small picture of it (`tilewright.fields.tone`).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -23,9 +23,8 @@ SIGMA = 1 / 5
 TEXELS = 16
 """Texels of tone along a tile: a Gaussian of a fifth of a tile needs no more."""
 STRENGTH = 0.85
-"""Share of tone that leaves the tiles; the rest stays with its things."""
-LAID = 1.0
-"""Share of tone that is laid over them: of what stays, tiles show little, as plain patches are chosen."""
+"""Share of tone that leaves the tiles; the rest stays with its things. All of it is laid over them again: of
+what stays, tiles show little, as plain patches are chosen."""
 SPREAD = 4
 """Grid points along the shorter side of a photograph: a patch is half as wide as that."""
 
@@ -86,10 +85,22 @@ def take_tone(exemplar: Exemplar, tile_size: int) -> tuple[Tone, Exemplar]:
         if exemplar.kinds[name] == "color":
             tone = _find_tone(encoded(pixels), usable, texel, SIGMA * tile_size)
             rest[name] = _shifted(pixels, -np.float32(STRENGTH) * _enlarged(tone, texel, pixels.shape[:2]))
-            tones[name] = np.float32(LAID) * tone
+            tones[name] = tone
     side = min(usable.shape)
     span = max(1, round(side / SPREAD / tile_size))
     return Tone(tile_size, span, tones), Exemplar([rest], exemplar.masks, exemplar.weights, exemplar.kinds)
+
+
+def take_more_tone(tone: Tone | None, exemplar: Exemplar) -> tuple[Tone | None, Exemplar]:
+    """The same for further maps of a photograph whose tone has been taken; nothing where it was not.
+
+    A map that replaces another leaves its own tone in place of that one's.
+    """
+    if tone is None:
+        return None, exemplar
+    taken, held = take_tone(exemplar, tone.tile_size)
+    kept = {name: texels for name, texels in tone.maps.items() if name not in exemplar.kinds}
+    return replace(tone, maps=kept | taken.maps), held
 
 
 def _find_tone(pixels: NDArray[Any], usable: NDArray[np.bool_], texel: int, sigma: float) -> Texels:

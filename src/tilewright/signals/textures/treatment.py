@@ -11,7 +11,7 @@ from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.manner import NESTED, Manner
 from tilewright.signals.textures.regularity import Regularity
 from tilewright.signals.textures.rhythm import Rhythm
-from tilewright.tiles import TileSet, classed_corner_tiles
+from tilewright.tiles import TileSet, classed_corner_tiles, corner_tiles
 
 SMALLEST_TILE, USUAL_TILE, LARGEST_TILE = 16, 128, 1024
 LARGER = 1.5
@@ -87,9 +87,14 @@ def find_treatment(
         Whether tone lies outside the tiles, as asked for.
     """
     usual = usual_size(exemplar)
+    _check_tone(tone, exemplar)
+    alone = len(exemplar.sources) == 1
     if tone is None:
-        tone = character.has_tone and len(exemplar.sources) == 1
-    rhythm = _kept(character.rhythm, tile_size)
+        tone = alone and character.has_tone and "color" in exemplar.kinds.values()
+    if not alone:
+        # Two plain colors and two marked ones: of fewer, a region of one photograph has too few tiles.
+        tiles = tiles or corner_tiles(4)
+    rhythm = _kept(character.rhythm, tile_size) if alone else (None, None)
     if any(rhythm):
         both = all(rhythm)
         size = tile_size or _size_of_courses(rhythm, usual if both else round(LARGER * usual))
@@ -102,6 +107,23 @@ def find_treatment(
         return Treatment("things", tiles or classed_corner_tiles(2, 2), size, tone, manner)
     manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, 0.17, True)
     return Treatment("even", tiles or classed_corner_tiles(2, 5), tile_size or usual, tone, manner)
+
+
+def _check_tone(tone: bool | None, exemplar: Exemplar) -> None:
+    """Refuse tone where there can be none."""
+    if not tone:
+        return
+    if len(exemplar.sources) > 1:
+        raise TilewrightValueError(
+            f"is True, and tone is that of one photograph; {len(exemplar.sources)} were given",
+            argument="tone",
+            value=tone,
+        )
+    if "color" not in exemplar.kinds.values():
+        kinds = ", ".join(f"{name} ({kind})" for name, kind in exemplar.kinds.items())
+        raise TilewrightValueError(
+            f"is True, and none of the maps holds color: {kinds}", argument="tone", value=tone
+        )
 
 
 def _kept(
