@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.fields.photos.methods import mirrored
 from tilewright.pixels import has_alpha
 from tilewright.signals.textures.kinds import to_encoded, to_linear
 from tilewright.signals.textures.tone import Texels, Tone
@@ -87,8 +88,8 @@ def _lay(
     weights = weights / np.sqrt((weights**2).sum(axis=0))
     laid = {name: np.zeros((height, width, m.shape[2])) for name, m in tone.maps.items()}
     for weight, (ci, cj) in zip(weights, corners, strict=True):
-        rows = _mirrored(py[:, np.newaxis] - cj * (spans[1] * tile) + middles[0][cj, ci], h)
-        columns = _mirrored(px - ci * (spans[0] * tile) + middles[1][cj, ci], w)
+        rows = mirrored(py[:, np.newaxis] - cj * (spans[1] * tile) + middles[0][cj, ci], h)
+        columns = mirrored(px - ci * (spans[0] * tile) + middles[1][cj, ci], w)
         for name, texels in tone.maps.items():
             laid[name] += weight[..., np.newaxis] * texels[rows, columns]
     return {name: texels.astype(np.float32) for name, texels in laid.items()}
@@ -111,11 +112,6 @@ def _squares(
     texels = inside + np.arange(count)
     farther = texels // side
     return square, texels, farther, (texels - farther * side + 0.5) / side
-
-
-def _mirrored(index: NDArray[np.int64], size: int) -> NDArray[np.int64]:
-    index = index % (2 * size)
-    return np.where(index < size, index, 2 * size - 1 - index)
 
 
 def add_tone(out: NDArray[Any], laid: Window, name: str) -> None:

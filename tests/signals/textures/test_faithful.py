@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter
-from test_rhythm import courses
 
 import tilewright as tw
+from masonry import courses
 from tilewright.errors import TilewrightValueError, TilewrightWarning
 from tilewright.signals.textures.lone import lone_things_of
 

@@ -4,27 +4,11 @@ import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter
 
+from masonry import courses
 from tilewright.signals.textures.character import find_character
 from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.regularity import find_regularity
 from tilewright.signals.textures.rhythm import find_rhythm
-
-
-def courses(heights, width=400, joint=3, seed=0):
-    """Stones of random brightness in rows of the given heights, with lighter joints between them."""
-    rng = np.random.default_rng(seed)
-    picture = np.zeros((sum(heights), width))
-    top = 0
-    for height in heights:
-        left = -int(rng.integers(40))
-        while left < width:
-            step = int(rng.integers(40, 90))
-            picture[top : top + height, max(0, left) : left + step] = rng.normal(90, 15)
-            picture[top : top + height, max(0, left) : max(0, left + joint)] = 130
-            left += step
-        picture[top : top + joint] = 130
-        top += height
-    return (picture + rng.normal(0, 6, picture.shape)).astype(np.float32)
 
 
 def test_uneven_courses_are_followed():

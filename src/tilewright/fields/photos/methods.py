@@ -175,8 +175,8 @@ class BlendField(PhotoField):
         patches = self._centers(_wrapped(i0), _wrapped(j0), i.min(), i.max() + 2, j.max() + 2)
         for k, (vi, vj) in enumerate(vertices):
             patch_x, patch_y = patches[:, vj, vi - i.min()]
-            columns[k] = _mirrored(px - (vi * a + vj * (a // 2)) + patch_x, self.photo.shape[1])
-            rows[k] = _mirrored(py - vj * h + patch_y, self.photo.shape[0])
+            columns[k] = mirrored(px - (vi * a + vj * (a // 2)) + patch_x, self.photo.shape[1])
+            rows[k] = mirrored(py - vj * h + patch_y, self.photo.shape[0])
         return weights, rows, columns
 
     def _centers(self, i0: np.int64, j0: np.int64, first: int, last: int, rows: int) -> NDArray[np.int64]:
@@ -292,7 +292,8 @@ def triangle_grid(size: tuple[int, ...]) -> tuple[int, int]:
     return edge, round(edge * 3**0.5 / 2)
 
 
-def _mirrored(index: NDArray[np.int64], size: int) -> NDArray[np.int64]:
+def mirrored(index: NDArray[np.int64], size: int) -> NDArray[np.int64]:
+    """Places along a side of ``size`` pixels that is mirrored at its ends, again and again."""
     index = index % (2 * size)
     return np.where(index < size, index, 2 * size - 1 - index)
 
