@@ -20,6 +20,22 @@ def gravel() -> NDArray[np.uint8]:
 
 
 @pytest.fixture(scope="session")
+def gravel_tiles(gravel):
+    """Sixteen corner tiles of 64 pixels of gravel."""
+    import tilewright as tw
+
+    return tw.texture_tiles({"a": gravel}, tw.corner_tiles(2), tile_size=64, seed=1, method="nested")
+
+
+@pytest.fixture(scope="session")
+def crossed_points():
+    """Points in Wang tiles that know the edges around their corners: 4,096 tiles of 16 points."""
+    import tilewright as tw
+
+    return tw.make_point_tiles("edge", 16, 0.7, seed=4)
+
+
+@pytest.fixture(scope="session")
 def photograph():
     """Load a photograph by name from the folder beside the checkout, or skip the test."""
     from PIL import Image

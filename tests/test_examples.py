@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tilewright.analysis.points import comparison
 from tilewright.cli.main import run
 
 EXAMPLES = sorted((Path(__file__).parents[1] / "examples").glob("[0-9]*.py"))
@@ -20,6 +21,8 @@ TIMED = {"comparison.md", "comparison.json"}
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_an_example_and_its_commands_make_the_same(path, tmp_path, monkeypatch):
+    monkeypatch.setattr(comparison, "SPECTRUM_POINTS", 1024)
+    monkeypatch.setattr(comparison, "PLATE_POINTS", 65536 + 4096)
     by_call, by_command = tmp_path / "call", tmp_path / "command"
     monkeypatch.setattr(sys, "argv", [str(path), "--output", str(by_call)])
     runpy.run_path(str(path), run_name="__main__")

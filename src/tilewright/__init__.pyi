@@ -26,6 +26,7 @@ from .errors import (
     TilewrightWarning as TilewrightWarning,
 )
 from .export import (
+    TileGrid as TileGrid,
     make_atlas as make_atlas,
     save_array as save_array,
     save_atlas as save_atlas,

@@ -16,10 +16,10 @@ import pytest
 
 import dialects
 import tilewright as tw
-from handmade import handmade, handmade_surface
+from handmade import handmade, handmade_surface, under_clouds
 from tilewright.errors import TilewrightError
 from tilewright.export.engines import TARGETS, save_for_engine
-from tilewright.export.engines.folder import prepare
+from tilewright.export.engines.kit import prepare
 
 
 @pytest.fixture(scope="module")
@@ -210,6 +210,29 @@ def test_unity_imports_every_texel(folders, material, tmp_path):
         assert said[2:] == expected
 
 
+def test_unity_imports_tone_as_a_picture(tmp_path):
+    if not (shutil.which("mcs") and shutil.which("mono")):
+        pytest.skip("Mono's compiler (Debian: mono-mcs) is not installed")
+    material = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 16), 1)
+    save_for_engine(material, tmp_path / "unity", "unity")
+    program = tmp_path / "import.exe"
+    sources = [
+        Path(__file__).parents[1] / "helpers" / "unity_stand_in.cs",
+        tmp_path / "unity/Editor/TilewrightImporter.cs",
+    ]
+    subprocess.run(
+        ["mcs", "-warnaserror+", "-nowarn:0162,0429", "-langversion:7", f"-out:{program}", *sources],
+        check=True,
+    )
+    for file, head in (
+        ("map0.twdds", "2DArray 20 20 80 R8G8B8A8_SRGB 5"),
+        ("map0_tone.twdds", "2D 26 20 1 R16G16B16A16_SFloat 5"),
+    ):
+        command = ["mono", program, tmp_path / "unity" / file]
+        said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        assert said.splitlines()[:2] == ["Clamp Trilinear", head]
+
+
 def _sum(data):
     total = 0
     for byte in data:
@@ -267,22 +290,46 @@ def test_the_surface_shader_of_unity_compiles(colors, tmp_path):
     assert body.count("SAMPLE_TEXTURE2D") == 6
 
 
-def test_the_script_for_unreal_builds_the_material(folders, monkeypatch):
-    unreal = MagicMock()
-    nodes = []
+def test_the_surface_shader_of_unity_lays_the_tone(tmp_path):
+    material = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 16), 1)
+    material = dataclasses.replace(material, kinds={"map0": "color"})
+    save_for_engine(material, tmp_path / "unity", "unity")
+    include = (tmp_path / "unity" / "Tilewright.hlsl").read_text()
+    shader = (tmp_path / "unity" / "Tilewright.shader").read_text()
+    body = re.search(r"HLSLPROGRAM(.*?)ENDHLSL", shader, re.DOTALL)[1]
+    body = re.sub(r"#(include|pragma).*", "", body)
+    dialects.compile_spirv(_URP + include + body, ".hlsl", tmp_path, "frag", "Fragment")
+    assert "TwLay(surface.albedo, TwToneUp(_ColorTone" in body
+
+
+def run_in_unreal(folder, monkeypatch):
+    """Run an exported script against a stand-in: its Custom nodes, the wires, what the material gets."""
+    unreal, nodes = MagicMock(), []
 
     def create(_material, kind, *_place):
         nodes.append(MagicMock(kind=kind))
         return nodes[-1]
 
-    unreal.MaterialEditingLibrary.create_material_expression = create
+    library = unreal.MaterialEditingLibrary
+    library.create_material_expression = create
     monkeypatch.setitem(sys.modules, "unreal", unreal)
-    runpy.run_path(str(folders / "unreal" / "make_material.py"))
-    properties = {
-        str(call.args[2]).split(".")[2].split("'")[0]: call.args[1]
-        for call in unreal.MaterialEditingLibrary.connect_material_property.mock_calls
+    runpy.run_path(str(folder / "make_material.py"))
+    custom = [n for n in nodes if n.kind is unreal.MaterialExpressionCustom]
+    wires = [call.args for call in library.connect_material_expressions.mock_calls]
+    ends = {
+        str(call.args[2]).split(".")[2].split("'")[0]: call.args[:2]
+        for call in library.connect_material_property.mock_calls
     }
-    assert properties == {
+    return custom, wires, ends
+
+
+def code_of(node):
+    return dict(call.args for call in node.set_editor_property.mock_calls)["code"]
+
+
+def test_the_script_for_unreal_builds_the_material(folders, monkeypatch):
+    (custom,), wires, ends = run_in_unreal(folders / "unreal", monkeypatch)
+    assert {name: output for name, (_, output) in ends.items()} == {
         "MP_BASE_COLOR": "RGB",
         "MP_NORMAL": "RGB",
         "MP_ROUGHNESS": "R",
@@ -290,11 +337,43 @@ def test_the_script_for_unreal_builds_the_material(folders, monkeypatch):
         "MP_AMBIENT_OCCLUSION": "R",
         "MP_EMISSIVE_COLOR": "RGB",
     }
-    custom = next(n for n in nodes if n.kind is unreal.MaterialExpressionCustom)
-    code = dict(call.args for call in custom.set_editor_property.mock_calls)["code"]
-    assert code == (folders / "unreal" / "custom_node.hlsl").read_text()
-    wires = [call.args for call in unreal.MaterialEditingLibrary.connect_material_expressions.mock_calls]
+    assert code_of(custom) == (folders / "unreal" / "custom_node.hlsl").read_text()
     assert sum(wire[3] == "DDX(UVs)" and wire[0] is custom for wire in wires) == 6
+
+
+def test_the_script_for_unreal_lays_the_tone(clouded, tmp_path, monkeypatch):
+    save_for_engine(clouded, tmp_path / "unreal", "unreal", seed=7)
+    (place, tone), wires, ends = run_in_unreal(tmp_path / "unreal", monkeypatch)
+    assert code_of(tone) == (tmp_path / "unreal" / "custom_tone.hlsl").read_text()
+    assert ends["MP_BASE_COLOR"] == (tone, "")
+    into = {pin: source for source, _, node, pin in wires if node is tone}
+    assert into.keys() == {"Position", "Origin", "Color", "Tone"}
+    assert into["Position"] is next(s for s, _, node, pin in wires if node is place and pin == "Position")
+
+
+@pytest.fixture(scope="module")
+def clouded():
+    """Tiles in classes whose color has tone."""
+    made = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 16), 2)
+    return dataclasses.replace(made, kinds={"map0": "color"})
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_a_folder_with_tone_says_where_it_lies(target, clouded, tmp_path):
+    folder = tmp_path / target
+    save_for_engine(clouded, folder, target, seed=7)
+    readme = (folder / "README.md").read_text().splitlines()
+    assert len([line for line in readme if re.match(r"\d+\. ", line)]) <= 10
+    facts = json.loads((folder / "tilewright.json").read_text())
+    there = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()}
+    assert there == {*facts["files"], "tilewright.json"}
+    tone = facts["tone"]
+    assert set(tone["files"].values()) < there
+    assert (tone["span"], tone["texels"], len(tone["start_states"])) == (2, 16, 4)
+    assert any(tone["files"]["map0"] in line and "three fetches more" in line for line in readme)
+    assert "{{" not in "".join(
+        p.read_text() for p in folder.rglob("*.*") if p.suffix in (".osl", ".hlsl", ".py")
+    )
 
 
 @pytest.mark.parametrize("target", ["wgsl", "glsl", "hlsl"])

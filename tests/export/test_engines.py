@@ -9,9 +9,9 @@ import pytest
 
 import dialects
 import tilewright as tw
-from handmade import handmade
+from handmade import handmade, under_clouds
 from tilewright.errors import TilewrightError
-from tilewright.export.engines.folder import prepare
+from tilewright.export.engines.kit import prepare
 from tilewright.export.engines.parts import fill
 from tilewright.shaders import lookup as lookups
 from tilewright.tilings import packing
@@ -133,16 +133,40 @@ def test_a_dialect_draws_tiles_in_classes(dialect, colors, classes, variants, de
         np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 64, 48))
 
 
-def test_what_an_atlas_cannot_hold_is_refused(tmp_path):
-    classed = handmade(tw.classed_corner_tiles(2, 5))
-    with pytest.raises(TilewrightError, match="takes an atlas; make the texture over corner_tiles"):
-        tw.save_for_engine(classed, tmp_path / "a", "unreal")
-    toned = tw.texture_tiles(
-        np.random.default_rng(1).integers(0, 256, (64, 64, 3), np.uint8), method="faithful", tone=True
-    )
-    with pytest.raises(TilewrightError, match="tone=False"):
-        tw.save_for_engine(toned, tmp_path / "a", "glsl")
-    assert not list(tmp_path.iterdir())
+@pytest.mark.parametrize(("colors", "classes", "variants"), [(2, 5, 1), (2, 5, 4), (3, 2, 1)])
+@pytest.mark.parametrize("dialect", [*DRAWN, "unreal"])
+def test_a_dialect_draws_classes_from_a_grid(dialect, colors, classes, variants, device, tmp_path):
+    tiles = tw.classed_corner_tiles(colors, classes)
+    material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, variants))
+    kit = prepare(material, 9, atlas=True)
+    assert kit.form == "grid"
+    levels, _ = kit.levels("map0")
+    field = tw.TextureField(material, tw.direct(tiles, seed=9))
+    for cell in ((-5, -3), (1000, -900000), (2**22 + 1, -(2**22)), (-1, 2**22 - 7)):
+        texel = (16 * cell[0] + 3, 16 * cell[1] + 5)
+        drawn = dialects.draw(
+            device, dialect, include_of(dialect, kit), levels, 16, texel, (64, 48), tmp_path, atlas=True
+        )
+        np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 64, 48))
+
+
+@pytest.mark.parametrize(("span", "tiles"), [(1, tw.classed_corner_tiles(2, 5)), (3, tw.corner_tiles(2))])
+@pytest.mark.parametrize("dialect", ["wgsl", "hlsl", "unity", "unreal"])
+def test_a_dialect_lays_the_tone(dialect, span, tiles, device, tmp_path):
+    material = under_clouds(handmade(tiles, 32), span)
+    kit = prepare(material, 9, atlas=dialect == "unreal")
+    levels, _ = kit.levels("map0")
+    include = kit.lookup("unreal", tone=False) if dialect == "unreal" else include_of(dialect, kit)
+    field = tw.TextureField(material, tw.direct(tiles, seed=9))
+    for cell in ((-5, -3), (1000, -900000), (2**22 + 1, -(2**22)), (-1, 2**22 - 7)):
+        texel = (32 * cell[0] + 3, 32 * cell[1] + 5)
+        drawn = dialects.draw(
+            device, dialect, include, levels, 32, texel, (96, 64), tmp_path,
+            atlas=dialect == "unreal", tone=kit.tone("map0"), laid=kit.lookup("unreal tone"),
+        )  # fmt: skip
+        off = np.abs(drawn[..., :3].astype(int) - field.render(*texel, 96, 64))
+        assert off.max() <= 2
+        assert off.mean() < 0.4
 
 
 # As array and as atlas; 3 colors in 4 variants are more layers than all devices have.

@@ -13,10 +13,11 @@ import pytest
 
 import tilewright as tw
 from browsing import NEEDS_BROWSER, watched_page
-from handmade import handmade
+from handmade import handmade, under_clouds
 from tilewright.export.engines import save_for_engine
-from tilewright.export.engines.folder import prepare
+from tilewright.export.engines.kit import prepare
 from tilewright.export.ktx2 import write_ktx2
+from tilewright.signals.textures import copy_from_sources
 
 NODE_MODULES = Path(__file__).parents[2] / ".venv" / "node" / "node_modules"
 RELEASES = ["three", "three-oldest"]
@@ -214,6 +215,18 @@ def test_at_one_texel_per_pixel_the_canvas_shows_what_python_renders(
         assert np.array_equal(shown[..., :3], field.render(16 * x + 3, 16 * y + 11, 160, 120))
 
 
+@pytest.mark.parametrize("release", RELEASES)
+def test_the_canvas_lays_the_tone(open_folder, tmp_path, release):
+    material = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 32), 2)
+    page = open_folder(export(material, tmp_path / "a"), release)
+    field = tw.TextureField(material, tw.direct(material.tiles, 7))
+    for x, y in CELLS:
+        shown = draw(page, "flat", map="map0", cell=[x, y], texel=[3, 11], size=32, step=1).astype(int)
+        off = np.abs(shown[..., :3] - field.render(32 * x + 3, 32 * y + 11, 160, 120))
+        assert off.max() <= 2
+        assert off.mean() < 0.4
+
+
 @pytest.mark.parametrize("release", RELEASES[:1])
 @pytest.mark.parametrize("channels", [1, 2, 3, 4])
 def test_maps_of_numbers_keep_their_bytes(open_folder, tmp_path, channels, release):
@@ -331,10 +344,11 @@ def test_heights_tilt_the_surface_where_there_is_no_normal_map(open_folder, tmp_
 
 
 @pytest.fixture(scope="module")
-def stones(gravel):
+def stones(gravel, gravel_tiles):
     """Gravel with three maps."""
     maps = {"color": np.repeat(gravel, 3, axis=2), "height": gravel, "roughness": 255 - gravel // 2}
-    return tw.synthesize(tw.Exemplar([maps]), tw.corner_tiles(2), tile_size=64, seed=1)
+    maps = copy_from_sources((maps,), gravel_tiles.origins)
+    return replace(gravel_tiles, maps=maps, kinds={})
 
 
 @pytest.mark.parametrize("release", RELEASES[:1])

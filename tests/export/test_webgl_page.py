@@ -8,7 +8,7 @@ import pytest
 
 import tilewright as tw
 from browsing import NEEDS_BROWSER, watched_page
-from handmade import handmade
+from handmade import handmade, under_clouds
 from tilewright.export.engines import save_for_engine
 
 READ = """wanted => {
@@ -69,6 +69,21 @@ def test_at_one_texel_per_pixel_the_page_shows_what_python_renders(open_page, ti
     for x, y in ((-3, 5), (-1, -1), (2**31 - 40, -(2**31) + 9), (123456789, -987654321)):
         shown = read(page, cell=[x, y], place=[3 / 16, 11 / 16], zoom=1)
         assert np.array_equal(shown, field.render(16 * x + 3 - 80, 16 * y + 11 - 60, 160, 120))
+
+
+@pytest.mark.parametrize("span", [1, 3])
+def test_the_page_lays_the_tone(open_page, span):
+    material = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 32, maps=2), span)
+    page = open_page(material)
+    field = tw.TextureField(material, tw.direct(material.tiles, 7))
+    for x, y in ((-3, 5), (-1, -1), (2**31 - 40, -(2**31) + 9), (123456789, -987654321)):
+        place = 32 * x + 3 - 80, 32 * y + 11 - 60, 160, 120
+        shown = read(page, cell=[x, y], place=[3 / 32, 11 / 32], zoom=1, map="map0").astype(int)
+        off = np.abs(shown - field.render(*place))
+        assert off.max() <= 2
+        assert off.mean() < 0.4
+        shown = read(page, cell=[x, y], place=[3 / 32, 11 / 32], zoom=1, map="map1")
+        assert np.array_equal(shown, field.render(*place, map="map1"))
 
 
 @pytest.mark.parametrize("channels", [1, 2, 3, 4])

@@ -10,11 +10,16 @@ from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 SETS = {
     "corner": lambda: tw.ready_tiles(),
-    "edge": lambda: tw.make_point_tiles("edge", 16, 0.7),
     "template": lambda: tw.poisson_tiles(tw.corner_tiles(1), 24, 0.7, method="relaxed", variants=9),
     "uneven": lambda: tw.make_point_tiles("shade", 12),
 }
+NAMES = [*SETS, "edge"]
 _MADE = {}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _keep_edge(crossed_points):
+    _MADE["edge"] = crossed_points
 
 
 def field_of(name, seed=7, period=None):
@@ -28,7 +33,7 @@ def as_set(points):
     return {tuple(p) for p in points.tolist()}
 
 
-@pytest.mark.parametrize("name", SETS)
+@pytest.mark.parametrize("name", NAMES)
 def test_points_are_those_of_the_tiles(name):
     """Against laying tile after tile by hand."""
     field = field_of(name)
@@ -88,7 +93,7 @@ def test_windows_side_by_side_share_no_point_and_miss_none():
     assert sum(map(len, parts)) == len(whole)
 
 
-@pytest.mark.parametrize("name", SETS)
+@pytest.mark.parametrize("name", NAMES)
 def test_identities_are_unique_and_the_same_in_every_window(name):
     field = field_of(name)
     large, small = field.window(-4, -4, 12, 12), field.window(-1.5, 0.25, 3.3, 4.1)
@@ -137,7 +142,7 @@ def test_out_is_filled_from_its_first_row_on(kind):
         field.points(0, 0, 10, 10, out=[1])
 
 
-@pytest.mark.parametrize("name", SETS)
+@pytest.mark.parametrize("name", NAMES)
 def test_exactly_as_many_as_asked_and_always_those_of_lowest_rank(name):
     field = field_of(name)
     for count in (1, 31, 1000, 12345):
@@ -223,7 +228,7 @@ def test_a_density_of_other_arguments_gets_one_clear_line(density):
             make()
 
 
-@pytest.mark.parametrize("name", SETS)
+@pytest.mark.parametrize("name", NAMES)
 def test_nearest_points_are_those_of_an_exhaustive_search(name):
     field = field_of(name)
     positions = np.random.default_rng(1).uniform(-20, 20, (500, 2))

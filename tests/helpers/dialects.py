@@ -130,6 +130,54 @@ float2 Node(float2 Position, float2 Origin, out float2 DX, out float2 DY) {{
 }
 
 
+# The same with tone; texels and picture are sRGB, which the GPU decodes and encodes.
+_TONED = {
+    "wgsl": (
+        "return tw_sample(map, filtering, tw_find(p, cell));",
+        """let color = tw_sample(map, filtering, tw_find(p, cell));
+  return vec4f(tw_lay(color.rgb, tw_tone(tone, filtering, p, cell)), color.a);""",
+        "@group(0) @binding(3) var tone: texture_2d<f32>;",
+    ),
+    "hlsl": (
+        "return TwSample(map, filtering, TwFind(p, cell));",
+        """float4 color = TwSample(map, filtering, TwFind(p, cell));
+  return float4(TwLay(color.rgb, TwTone(tone, filtering, p, cell)), color.a);""",
+        "[[vk::binding(3, 0)]] Texture2D tone;",
+    ),
+    "unity": (
+        "return color;",
+        """UnityTexture2D more;
+  more.tex = tone;
+  more.samplerstate = filtering;
+  float4 toned;
+  TilewrightTone_float(more, color, float2(p.x, -p.y), (float2)cell, toned);
+  return toned;""",
+        """[[vk::binding(3, 0)]] Texture2D tone;
+struct UnityTexture2D { Texture2D tex; SamplerState samplerstate; };""",
+    ),
+    "unreal": (
+        "return map.SampleGrad(filtering, uv, dx, dy);",
+        """float4 color = map.SampleGrad(filtering, uv, dx, dy);
+  return float4(Lay(p, (float2)cell, color.rgb, tone, filtering), color.a);""",
+        """[[vk::binding(3, 0)]] Texture2D tone;
+{struct}
+float3 Lay(float2 Position, float2 Origin, float3 Color, Texture2D Tone, SamplerState ToneSampler) {{
+{code}
+}}""",
+    ),
+}
+
+
+def with_tone(dialect, source, laid):
+    """The shader of `drawing` with tone laid, in Unreal by the code ``laid`` of a node of its own."""
+    plain, toned, declared = _TONED[dialect]
+    if dialect == "unreal":
+        struct, end, code = laid.replace("TwFunctions", "TwMore").partition("\n};\n")
+        declared = declared.format(struct=struct + end, code=code)
+    assert source.count(plain) == 1
+    return declared + source.replace(plain, toned)
+
+
 def drawing(dialect, include, atlas):
     """The fragment shader that draws a window with an include."""
     words = {"array": "" if atlas else "_array", "Array": "" if atlas else "Array"}
@@ -198,17 +246,22 @@ def ask(device, dialect, include, cells, what, tmp_path):
     return answer.ravel()[: len(cells)]
 
 
-def draw(device, dialect, include, levels, size, texel, window, tmp_path, *, atlas, step=1):
+def draw(
+    device, dialect, include, levels, size, texel, window, tmp_path, *, atlas, step=1, tone=None, laid=""
+):
     """A window of the plane, ``step`` texels for each pixel; ``texel`` is the one in its corner."""
     import wgpu
 
     filters = dict.fromkeys(("mag_filter", "min_filter", "mipmap_filter"), "linear")
-    edge = dict.fromkeys(("address_mode_u", "address_mode_v"), "repeat" if atlas else "clamp-to-edge")
+    edge = dict.fromkeys(
+        ("address_mode_u", "address_mode_v"), "repeat" if atlas and tone is None else "clamp-to-edge"
+    )
     sampler = device.create_sampler(**filters, **edge)
     view = np.array([*texel, size, step], np.int32)
     buffer = device.create_buffer_with_data(data=view, usage=wgpu.BufferUsage.UNIFORM)
     dimension = "2d" if atlas else "2d-array"
-    texture = upload(device, levels).create_view(dimension=dimension)
+    format = "rgba8unorm" if tone is None else "rgba8unorm-srgb"
+    texture = upload(device, levels, format).create_view(dimension=dimension)
     stage = wgpu.ShaderStage.FRAGMENT
     shape = {"view_dimension": dimension, "sample_type": "float"}
     layout = [
@@ -221,18 +274,24 @@ def draw(device, dialect, include, levels, size, texel, window, tmp_path, *, atl
         {"binding": 1, "resource": sampler},
         {"binding": 2, "resource": {"buffer": buffer, "offset": 0, "size": 16}},
     ]
-    source = compiled(dialect, drawing(dialect, include, atlas), tmp_path)
-    return _run(device, source, layout, entries, window, "rgba8unorm", np.uint8, 4)
+    source = drawing(dialect, include, atlas)
+    if tone is not None:
+        source = with_tone(dialect, source, laid)
+        picture = upload(device, tone, "rgba16float").create_view()
+        layout.append({"binding": 3, "visibility": stage, "texture": {"sample_type": "float"}})
+        entries.append({"binding": 3, "resource": picture})
+    source = compiled(dialect, source, tmp_path)
+    return _run(device, source, layout, entries, window, format, np.uint8, 4)
 
 
-def upload(device, levels):
-    """A texture with all its levels, shape (layers, rows, columns, 4), uint8."""
+def upload(device, levels, format):
+    """A texture with all its levels, shape (layers, rows, columns, 4), uint8 or float16."""
     import wgpu
 
     layers, rows, columns, _ = levels[0].shape
     texture = device.create_texture(
         size=(columns, rows, layers),
-        format="rgba8unorm",
+        format=format,
         mip_level_count=len(levels),
         usage=wgpu.TextureUsage.TEXTURE_BINDING | wgpu.TextureUsage.COPY_DST,
     )
@@ -241,7 +300,7 @@ def upload(device, levels):
         device.queue.write_texture(
             {"texture": texture, "mip_level": number},
             np.ascontiguousarray(level),
-            {"bytes_per_row": columns * channels, "rows_per_image": rows},
+            {"bytes_per_row": columns * channels * level.itemsize, "rows_per_image": rows},
             (columns, rows, layers),
         )
     return texture

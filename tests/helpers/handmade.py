@@ -3,8 +3,11 @@
 from dataclasses import replace
 
 import numpy as np
+from scipy.ndimage import gaussian_filter
 
+from tilewright.pixels import white
 from tilewright.signals.textures import TextureTiles, copy_from_sources
+from tilewright.signals.textures.tone import Tone
 from tilewright.tiles import TileSet, corner_tiles
 from tilewright.tiles.variants import Variants
 
@@ -32,6 +35,17 @@ def handmade(
     recipe = {"method": "by hand", "seed": 3, "weights": {"map0": 1.0}, "patches": {"center:0": [0, 1, 2]}}
     pixels = copy_from_sources(sources, origins)
     return TextureTiles(tiles, pixels, sources, origins, recipe, masks, variants=variants)
+
+
+def under_clouds(material: TextureTiles, span: int) -> TextureTiles:
+    """The same tiles, calmer, under clouds: the first map has tone."""
+    kind = next(iter(material.maps.values())).dtype
+    most = white(kind)
+    rng = np.random.default_rng(4)
+    clouds = gaussian_filter(rng.normal(0, 0.4, (20, 26, 3)), (3, 3, 0)).astype(np.float32)
+    calm = {name: (pixels / 4 + most * 0.4).astype(kind) for name, pixels in material.maps.items()}
+    tone = Tone(material.tile_size, span, {material.main: clouds * np.float32(most)})
+    return replace(material, maps=calm, tone=tone)
 
 
 def handmade_surface(colors=2):

@@ -11,11 +11,6 @@ from tilewright.signals.textures.kinds import from_values, guess_kind, to_values
 from tilewright.tilings import packing
 
 
-@pytest.fixture(scope="module")
-def gravel_tiles(gravel):
-    return tw.synthesize(tw.Exemplar([{"a": gravel}]), tw.corner_tiles(2), tile_size=64, seed=1)
-
-
 def sample(layer, at):
     """Bilinear, clamped, as graphics hardware filters; ``at`` are (y, x) in texel centers."""
     out = 0
@@ -52,15 +47,17 @@ def test_clean_levels_are_means_of_linear_light(gravel_tiles):
         assert np.abs(mips.levels[level][:, g:-g, g:-g].astype(int) - wanted).max() <= 1
 
 
-@pytest.mark.parametrize(("colors", "size"), [(2, 64), (3, 32), (2, 96), (2, 100)])
-def test_filtered_layers_agree_at_every_border_and_corner(gravel, colors, size):
-    material = tw.synthesize(tw.Exemplar([{"a": gravel}]), tw.corner_tiles(colors), tile_size=size, seed=1)
+@pytest.mark.parametrize(("colors", "size"), [(2, 64), (3, 32), (2, 48), (2, 52)])
+def test_filtered_layers_agree_at_every_border_and_corner(gravel, gravel_tiles, colors, size):
+    material = gravel_tiles
+    if size != 64:
+        material = tw.texture_tiles(gravel[:160, :160], tw.corner_tiles(colors), tile_size=size, seed=1)
     mips = layer_mipmaps(material)
     rng = np.random.default_rng(1)
     for number, level in enumerate(mips.levels):
         n = level.shape[1]
         along = rng.random(8)
-        for _ in range(40):
+        for _ in range(20):
             cells = tw.direct(material.tiles, int(rng.integers(2**32))).indices(0, 0, 2, 2)
 
             def at(tile, y, x, level=level, n=n):

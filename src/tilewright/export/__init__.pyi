@@ -2,6 +2,7 @@ from .array import (
     save_array as save_array,
 )
 from .atlas import (
+    TileGrid as TileGrid,
     make_atlas as make_atlas,
     save_atlas as save_atlas,
 )

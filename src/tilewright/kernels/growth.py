@@ -231,22 +231,29 @@ def grow_parts(keys, fixed, fixed_counts, count, torus, effort, kind, out, out_c
     or -1 where the torus could not be filled.
     """
     for m in numba.prange(len(keys)):
-        points = np.empty((max(count, fixed.shape[1]), 2))
-        n = fixed_counts[m]
-        points[:n] = fixed[m, :n]
-        out_counts[m] = -1
-        if n > count or not grow(keys[m], points, n, count, torus, effort):
+        n = np.int64(fixed_counts[m])
+        out_counts[m] = grow_part(keys[m], fixed[m], n, count, torus, effort, kind, out[m])
+
+
+@kernel()
+def grow_part(key, fixed, fixed_count, count, torus, effort, kind, out):
+    """Fill one torus and write its part; how many points that are, or -1."""
+    points = np.empty((max(count, fixed.shape[0]), 2))
+    for i in range(fixed_count):
+        points[i, 0], points[i, 1] = fixed[i, 0], fixed[i, 1]
+    if fixed_count > count or not grow(key, points, fixed_count, count, torus, effort):
+        return -1
+    n = 0
+    for i in range(fixed_count, count):
+        x, y = points[i, 0], points[i, 1]
+        if part_at(x, y, torus) != kind:
             continue
-        out_counts[m] = 0
-        for i in range(n, count):
-            x, y = points[i, 0], points[i, 1]
-            if part_at(x, y, torus) != kind:
-                continue
-            # An edge reaches from its lattice point to the next one, a corner region around it.
-            x -= torus.width * (np.round(x / torus.width) if kind != 1 else np.floor(x / torus.width))
-            y -= torus.height * (np.round(y / torus.height) if kind != 2 else np.floor(y / torus.height))
-            out[m, out_counts[m], 0], out[m, out_counts[m], 1] = x, y
-            out_counts[m] += 1
+        # An edge reaches from its lattice point to the next one, a corner region around it.
+        x -= torus.width * (np.round(x / torus.width) if kind != 1 else np.floor(x / torus.width))
+        y -= torus.height * (np.round(y / torus.height) if kind != 2 else np.floor(y / torus.height))
+        out[n, 0], out[n, 1] = x, y
+        n += 1
+    return n
 
 
 @kernel()
@@ -283,17 +290,29 @@ def grow_interiors(keys, frame, wanted, r, cusp, effort, inner, inner_counts):
     """
     per_tile = len(keys) // len(frame.items)
     for m in numba.prange(len(keys)):
-        points = np.empty((frame.points.shape[1] * 8 + inner.shape[1], 2))
-        open = np.zeros(16, np.bool_)
-        open[3] = True
-        fixed = assemble(m // per_tile, frame, points)
-        n = wanted - count_inside(points, fixed)
-        inner_counts[m] = -1
-        torus = Torus(2, 2, r, cusp, open)
-        if 0 <= n <= inner.shape[1] and grow(keys[m], points, fixed, fixed + n, torus, effort):
-            for s in range(n):
-                inner[m, s, 0], inner[m, s, 1] = points[fixed + s, 0], points[fixed + s, 1]
-            inner_counts[m] = n
+        inner_counts[m] = grow_interior(keys[m], m // per_tile, frame, wanted, r, cusp, effort, inner[m])
+
+
+@kernel()
+def grow_interior(key, tile, frame, wanted, r, cusp, effort, inner):
+    """Fill the interior of one tile; how many points that takes, or -1."""
+    points = np.empty((frame.points.shape[1] * 8 + inner.shape[0], 2))
+    fixed = assemble(tile, frame, points)
+    n = wanted - count_inside(points, fixed)
+    torus = open_interior(r, cusp)
+    if not 0 <= n <= inner.shape[0] or not grow(key, points, fixed, fixed + n, torus, effort):
+        return -1
+    for s in range(n):
+        inner[s, 0], inner[s, 1] = points[fixed + s, 0], points[fixed + s, 1]
+    return n
+
+
+@kernel()
+def open_interior(r, cusp):
+    """A torus of 2 x 2 tiles of which the interior of the first takes points."""
+    open = np.zeros(16, np.bool_)
+    open[3] = True
+    return Torus(2, 2, r, cusp, open)
 
 
 @kernel(parallel=True)

@@ -5,6 +5,8 @@ the seed and on the signs of x and y alone, and is worked out here; a shader is 
 rows of lattice points around a cell and half a round for each of its four corners.
 """
 
+from typing import NamedTuple
+
 from tilewright import __version__
 from tilewright.checks import check_choice, check_int
 from tilewright.seeds import check_seed
@@ -15,17 +17,28 @@ from tilewright.tiles.variants import MOST_SHADED
 from tilewright.tilings import MixerHash
 from tilewright.tilings.hashes import MULTIPLIERS
 from tilewright.tilings.packings.closed_form import packing
-from tilewright.tilings.streams import VARIANTS
+from tilewright.tilings.streams import TONES, VARIANTS
 
 DIALECTS = {
     "glsl": "tilewright.glsl",
     "wgsl": "tilewright.wgsl",
     "hlsl": "tilewright.hlsl",
     "unreal": "unreal_node.hlsl",
+    "unreal tone": "unreal_tone.hlsl",
     "godot": "tilewright.gdshaderinc",
     "osl": "lookup.osl",
 }
 """The shader dialects, and the template of each one's lookup."""
+_TONED = {
+    "glsl": "tone.glsl",
+    "wgsl": "tone.wgsl",
+    "hlsl": "tone.hlsl",
+    "unreal": "tone.hlsl",
+    "unreal tone": "tone.hlsl",
+    "godot": "tone.gdshaderinc",
+    "osl": "tone.osl",
+}
+"""The template of what lays tone in each dialect."""
 ARRAY_TILES = 256
 """Sets of more tiles than this are laid out as an atlas, not as an array: all devices have 256 layers."""
 MOST_COLORS = 8
@@ -34,10 +47,26 @@ _PAIRS = {
     "wgsl": "vec2f",
     "hlsl": "float2",
     "unreal": "float2",
+    "unreal tone": "float2",
     "godot": "vec2",
     "osl": "vector",
 }
 """What each dialect calls two numbers."""
+
+
+class ToneGrid(NamedTuple):
+    """Where tone lies outside the tiles.
+
+    Attributes
+    ----------
+    span : int
+        Tiles from point to point of its grid.
+    texels : float
+        Texels of its picture along a tile.
+    """
+
+    span: int
+    texels: float
 
 
 def start_states(seed: int, stream: int = 0) -> tuple[tuple[int, int], ...]:
@@ -60,6 +89,8 @@ def lookup(
     gutter: int | None,
     variants: int = 1,
     classes: int = 1,
+    grid: ToneGrid | None = None,
+    columns: int | None = None,
 ) -> str:
     """The lookup in a shader dialect, as the text of an include file.
 
@@ -80,15 +111,21 @@ def lookup(
         east in the atlas.
     classes : int
         Classes of `tilewright.classed_corner_tiles`, in a texture array; 1 for complete sets.
+    grid : ToneGrid, optional
+        Where tone lies outside the tiles.
+    columns : int, optional
+        Of the grid that layers with gutters lie in, where they are no texture array.
     """
     part = DIALECTS[check_choice("dialect", dialect, tuple(DIALECTS))]
     check_int("colors", colors, 1, MOST_COLORS)
     check_int("variants", variants, 1, MOST_SHADED)
-    values = numbers(colors, seed, tile_size, gutter, variants, classes)
+    values = numbers(colors, seed, tile_size, gutter, variants, classes, grid, columns)
     if variants > 1 and gutter is None:
         kind = _PAIRS[dialect]
         values |= {"scale": f"{kind}({values['scale_x']}, {values['scale_y']})", "scale_type": kind}
-    return _fill(part, **values, functions=_fill("functions.hlsl", **values))
+    functions = _fill("functions.hlsl", **values)
+    tone = _fill(_TONED[dialect], **values) if grid else ""
+    return _fill(part, **values, functions=functions, tone=tone)
 
 
 def _fill(part: str, **values: str | bool) -> str:
@@ -96,13 +133,20 @@ def _fill(part: str, **values: str | bool) -> str:
 
 
 def numbers(
-    colors: int, seed: int, tile_size: int, gutter: int | None, variants: int = 1, classes: int = 1
+    colors: int,
+    seed: int,
+    tile_size: int,
+    gutter: int | None,
+    variants: int = 1,
+    classes: int = 1,
+    grid: ToneGrid | None = None,
+    columns: int | None = None,
 ) -> dict[str, str | bool]:
     """What the templates of the dialects are filled with."""
-    array, even = gutter is not None, colors % 2 == 0
+    layers, even = gutter is not None, colors % 2 == 0
     layer = tile_size + 2 * (gutter or 0)
-    texels = layer if array else colors**2 * tile_size
-    wide = real(tile_size / (texels if array else texels * variants))
+    texels = layer * (columns or 1) if layers else colors**2 * tile_size
+    wide = real(tile_size / (texels if layers else texels * variants))
     scale = real(tile_size / texels)
     named: dict[str, str | bool] = {
         "version": __version__,
@@ -110,11 +154,17 @@ def numbers(
         "half": str(colors // 2),
         "side": str(colors**2),
         "seed": str(seed),
-        "array": array,
-        "atlas": not array,
-        "odd": not array and not even,
-        "two": not array and colors == 2,
-        "even": not array and even and colors > 2,
+        "layers": layers,
+        "array": layers and columns is None,
+        "grid": columns is not None,
+        "atlas": not layers,
+        "flat": not layers or columns is not None,
+        "odd": not layers and not even,
+        "two": not layers and colors == 2,
+        "even": not layers and even and colors > 2,
+        "columns": str(columns),
+        # A square's share of the side of its grid.
+        "square": real(1 / (columns or 1)),
         # A tile's share of a layer's (or the atlas's) side, and where in a layer it begins.
         "scale": scale,
         "scale_x": wide,
@@ -132,10 +182,13 @@ def numbers(
         # Of negative numbers, whose words are 2^32 higher: what makes their remainder right.
         "below": str(-(2**32) % classes),
         "tiles": str(colors**4),
+        "toned": grid is not None,
+        "span": str(grid.span if grid else 0),
+        "tone_texels": real(grid.texels if grid else 0),
     }
     for n, multiplier in enumerate(MULTIPLIERS):
         named[f"m{n}"], named[f"m{n}s"] = f"0x{multiplier:08x}", str(signed(multiplier))
-    for prefix, stream in (("", 0), ("v", VARIANTS)):
+    for prefix, stream in (("", 0), ("v", VARIANTS), ("t", TONES)):
         for n, state in enumerate(start_states(seed, stream)):
             for letter, word in zip("ab", state, strict=True):
                 name = f"{prefix}{letter}{n}"

@@ -11,6 +11,7 @@ for the first; the rest is our own).
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import isqrt
 from typing import Any
 
 import numpy as np
@@ -135,6 +136,46 @@ def atlas_mipmaps(material: TextureTiles, cells: NDArray[Any], map: str | None =
             yield picture, False
 
     return _encode(material, name, _lay(material.maps[name], cells), values, 0)
+
+
+def grid_mipmaps(material: TextureTiles, map: str | None = None) -> Mipmaps:
+    """Mip levels of layers with gutters in the squares of a grid, row by row, as one layer.
+
+    For sets without a packing, where there are no texture arrays: what lies in neighboring squares does not
+    belong together, so places must stay within their square.
+
+    Returns
+    -------
+    Mipmaps
+        Level 0 has shape (1, m, m, channels), m = `grid_side` times the side of a layer. Levels are free of
+        lines as long as a layer is a whole number of texels.
+    """
+    name = check_map_name(material, map)
+    shared = Shared(material.tiles, material.variants)
+    gutter, side = layer_gutter(material.tile_size), grid_side(len(material.variants))
+    # What is left of the last row is filled with the first tiles.
+    cells = np.arange(side**2).reshape(side, side) % len(material.variants)
+
+    def values(name: str) -> Iterator[tuple[Values, bool]]:
+        level = to_values(with_gutters(material.maps[name], gutter, shared), material.kinds[name])
+        while True:
+            settled, same = shared.settle(level, Rim.of_layer(level.shape[1], material.tile_size, gutter))
+            picture = _lay(settled, cells)
+            yield picture, same
+            if level.shape[1] % 2:
+                break
+            level = _halve(level)
+        while max(picture.shape[1:3]) > 1:
+            picture = _halve(picture)
+            yield picture, False
+
+    base = _lay(with_gutters(material.maps[name], gutter, shared), cells)
+    return _encode(material, name, base, values, gutter)
+
+
+def grid_side(pictures: int) -> int:
+    """Squares along the side of a grid that holds so many pictures."""
+    return isqrt(pictures - 1) + 1
 
 
 def tone_levels(tone: NDArray[np.float32]) -> list[NDArray[np.float32]]:

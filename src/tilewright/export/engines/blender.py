@@ -3,7 +3,10 @@
 import json
 from pathlib import Path
 
-from tilewright.export.engines.folder import Kit, file_names
+import numpy as np
+
+from tilewright.export.engines.folder import file_names, finish, tone_names
+from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
 from tilewright.files.images import lossless_suffix, write_image
 
@@ -11,18 +14,24 @@ from tilewright.files.images import lossless_suffix, write_image
 def write(folder: Path, kit: Kit) -> None:
     """Fill a folder."""
     files = write_pictures(folder, kit)
-    shader = fill("blender/tilewright.osl", lookup=kit.lookup("osl"), **kit.numbers())
+    shader = fill("blender/tilewright.osl", lookup=kit.lookup("osl", tone=False), **kit.numbers())
     (folder / "tilewright.osl").write_text(shader, encoding="utf-8")
-    slots = kit.slots
+    slots, tones = kit.slots, tone_names(kit, files, ".exr")
+    if tones:
+        tone = fill("blender/tone.osl", lookup=kit.lookup("osl"))
+        (folder / "tone.osl").write_text(tone, encoding="utf-8")
     light = [s for s, map in slots.items() if kit.material.kinds[map] == "color"]
     script = fill(
         "blender/material.py.in",
         name="tilewright",
         files=json.dumps({slot: files[map] for slot, map in slots.items()}, indent=4),
         light=json.dumps(light),
+        tones=json.dumps({slot: tones[map] for slot, map in slots.items() if map in tones}),
+        toned=bool(tones),
     )
     (folder / "material.py").write_text(script, encoding="utf-8")
-    kit.finish(
+    finish(
+        kit,
         folder,
         "Blender",
         "rendered here, in Cycles of Blender 5.0",
@@ -45,4 +54,6 @@ def write_pictures(folder: Path, kit: Kit) -> dict[str, str]:
         picture = kit.picture(map)
         files[map] = name + lossless_suffix(picture.dtype)
         write_image(folder / files[map], picture)
+    for map, name in tone_names(kit, files, ".exr").items():
+        write_image(folder / name, kit.tone(map)[0][0, ..., :3].astype(np.float32))
     return files

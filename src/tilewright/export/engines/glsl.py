@@ -3,7 +3,8 @@
 from pathlib import Path
 
 from tilewright.export.engines import webgl
-from tilewright.export.engines.folder import Kit
+from tilewright.export.engines.folder import finish
+from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.ktx2 import write_textures
 from tilewright.export.engines.parts import fill
 
@@ -15,10 +16,12 @@ def write(folder: Path, kit: Kit) -> None:
     texture, edge = ("sampler2DArray", "clamp to edge") if array else ("sampler2D", "repeat")
     include = kit.lookup("glsl")
     (folder / "tilewright.glsl").write_text(include, encoding="utf-8")
-    example = fill("glsl/example.frag", texture=texture, edge=edge, include=include)
+    texts = {"texture": texture, "edge": edge, "include": include}
+    example = fill("glsl/example.frag", **texts, toned=bool(kit.toned))
     (folder / "example.frag").write_text(example, encoding="utf-8")
     webgl.write(folder, kit)
-    kit.finish(
+    finish(
+        kit,
         folder,
         "GLSL",
         "rendered here, in WebGL 2 and through wgpu, equal to Python's picture at one texel per pixel",

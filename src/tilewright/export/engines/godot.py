@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.export.engines.folder import Kit, Levels, file_names
+from tilewright.export.engines.folder import file_names, finish, tone_names
+from tilewright.export.engines.kit import Kit, Levels
 from tilewright.export.engines.parts import fill
 
 _FORMATS = {
@@ -27,6 +28,9 @@ def write(folder: Path, kit: Kit) -> None:
     files, array = file_names(kit.material, ".tres"), kit.form == "array"
     for map, file in files.items():
         _write_texture(folder / file, kit.levels(map)[0], array)
+    tones = tone_names(kit, files)
+    for map, file in tones.items():
+        _write_texture(folder / file, kit.tone(map), False)
     uniforms = [
         f"uniform {'sampler2DArray' if array else 'sampler2D'} {slot}_map : "
         f"{_HINTS.get(slot, 'hint_default_white')}, filter_linear_mipmap_anisotropic, "
@@ -34,12 +38,17 @@ def write(folder: Path, kit: Kit) -> None:
         for slot in kit.slots
         if slot != "height"
     ]
+    uniforms += [
+        f"uniform sampler2D {slot}_tone : filter_linear_mipmap, repeat_disable;" for slot in _toned(kit)
+    ]
     values = kit.numbers() | {"uniforms": "\n".join(uniforms), "place": "vec3" if array else "vec2"}
+    values |= {f"{slot}_toned": slot in _toned(kit) for slot in ("color", "emission")}
     for name in ("tilewright.gdshader", "project.godot", "example.tscn"):
         (folder / name).write_text(fill(f"godot/{name}", **values), encoding="utf-8")
     (folder / "tilewright.gdshaderinc").write_text(kit.lookup("godot"), encoding="utf-8")
-    (folder / "material.tres").write_text(_material(kit, files), encoding="utf-8")
-    kit.finish(
+    (folder / "material.tres").write_text(_material(kit, files, tones), encoding="utf-8")
+    finish(
+        kit,
         folder,
         "Godot 4",
         "rendered here, in Godot 4.6 built for the web (Compatibility)",
@@ -80,16 +89,23 @@ def _image(number: int, levels: list[NDArray[Any]]) -> str:
     )
 
 
-def _material(kit: Kit, files: dict[str, str]) -> str:
+def _toned(kit: Kit) -> list[str]:
+    """The slots whose maps have tone."""
+    return [slot for slot, map in kit.slots.items() if map in kit.toned]
+
+
+def _material(kit: Kit, files: dict[str, str], tones: dict[str, str]) -> str:
     """The ShaderMaterial."""
     kind = "Texture2DArray" if kit.form == "array" else "Texture2D"
-    used = {slot: files[map] for slot, map in kit.slots.items() if slot != "height"}
+    used = [(slot, f"{slot}_map", kind, files[map]) for slot, map in kit.slots.items() if slot != "height"]
+    for slot in _toned(kit):
+        used.append((f"{slot}_tone", f"{slot}_tone", "Texture2D", tones[kit.slots[slot]]))
     lines = [
         f'[gd_resource type="ShaderMaterial" load_steps={len(used) + 2} format=3]\n',
         '[ext_resource type="Shader" path="res://tilewright.gdshader" id="shader"]',
-        *(f'[ext_resource type="{kind}" path="res://{file}" id="{slot}"]' for slot, file in used.items()),
+        *(f'[ext_resource type="{kind}" path="res://{file}" id="{id}"]' for id, _, kind, file in used),
         '\n[resource]\nshader = ExtResource("shader")',
-        *(f'shader_parameter/{slot}_map = ExtResource("{slot}")' for slot in used),
+        *(f'shader_parameter/{name} = ExtResource("{id}")' for id, name, _, _ in used),
         "shader_parameter/tiles = Vector2(50, 50)",
         "shader_parameter/origin = Vector2i(0, 0)",
         "shader_parameter/normal_depth = 1.0",

@@ -3,7 +3,8 @@
 from pathlib import Path
 
 from tilewright.export.engines.dds import write_dds
-from tilewright.export.engines.folder import Kit, file_names
+from tilewright.export.engines.folder import file_names, finish, tone_names
+from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
 
 
@@ -13,12 +14,16 @@ def write(folder: Path, kit: Kit) -> None:
     for map, file in files.items():
         levels, srgb = kit.levels(map)
         write_dds(folder / file, levels, srgb=srgb)
+    for map, file in tone_names(kit, files).items():
+        write_dds(folder / file, kit.tone(map))
     array = kit.form == "array"
     texture, edge = ("Texture2DArray", "CLAMP") if array else ("Texture2D", "WRAP")
     (folder / "tilewright.hlsl").write_text(kit.lookup("hlsl"), encoding="utf-8")
-    example = fill("hlsl/example.hlsl", texture=texture, edge=edge)
+    texts = {"texture": texture, "edge": edge}
+    example = fill("hlsl/example.hlsl", **texts, toned=bool(kit.toned), plain=not kit.toned)
     (folder / "example.hlsl").write_text(example, encoding="utf-8")
-    kit.finish(
+    finish(
+        kit,
         folder,
         "HLSL",
         "rendered here, compiled by glslang and run through wgpu, equal to Python's picture at one texel "

@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from tilewright.export.engines.folder import Kit, file_names
+from tilewright.export.engines.folder import file_names, finish, tone_names
+from tilewright.export.engines.kit import Kit
 from tilewright.export.ktx2 import write_ktx2
 
 
@@ -15,7 +16,8 @@ def write(folder: Path, kit: Kit) -> None:
         ("hlsl", "tilewright.hlsl"),
     ):
         (folder / file).write_text(kit.lookup(dialect), encoding="utf-8")
-    kit.finish(
+    finish(
+        kit,
         folder,
         "KTX 2.0 textures",
         "rendered here, read by an independent reader; the includes as in the targets glsl, wgsl and hlsl",
@@ -36,4 +38,6 @@ def write_textures(folder: Path, kit: Kit) -> dict[str, str]:
         write_ktx2(
             folder / file, levels if kit.form == "array" else [level[0] for level in levels], srgb=srgb
         )
+    for map, file in tone_names(kit, files).items():
+        write_ktx2(folder / file, [level[0] for level in kit.tone(map)], srgb=False)
     return files

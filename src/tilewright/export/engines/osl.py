@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError
-from tilewright.export.engines.folder import Kit, file_names
+from tilewright.export.engines.folder import file_names, finish, tone_names
+from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
 from tilewright.files.images import NO_DATE
 
@@ -17,9 +18,14 @@ def write(folder: Path, kit: Kit) -> None:
     files = file_names(kit.material, ".tx")
     for map, file in files.items():
         write_tx(folder / file, [level[0] for level in kit.levels(map)[0]])
-    shader = fill("osl/tilewright.osl", lookup=kit.lookup("osl"), **kit.numbers())
+    for map, file in tone_names(kit, files).items():
+        write_tx(folder / file, [level[0] for level in kit.tone(map)], wrap="mirror")
+    linear = kit.material.maps[kit.material.main].dtype != np.uint8
+    texts = {"lookup": kit.lookup("osl"), "linear": str(int(linear))}
+    shader = fill("osl/tilewright.osl", **texts, **kit.numbers())
     (folder / "tilewright.osl").write_text(shader, encoding="utf-8")
-    kit.finish(
+    finish(
+        kit,
         folder,
         "Open Shading Language",
         "rendered here, in Cycles of Blender 5.0",
@@ -33,7 +39,7 @@ def write(folder: Path, kit: Kit) -> None:
     )
 
 
-def write_tx(path: Path, levels: list[NDArray[Any]]) -> None:
+def write_tx(path: Path, levels: list[NDArray[Any]], wrap: str = "periodic") -> None:
     """A tiled TIFF whose subimages are mip levels, as OpenImageIO's texture system takes them."""
     import OpenImageIO as oiio
 
@@ -47,7 +53,7 @@ def write_tx(path: Path, levels: list[NDArray[Any]]) -> None:
         spec.attribute("compression", "zip")
         spec.attribute("DateTime", NO_DATE)
         spec.attribute("textureformat", "Plain Texture")
-        spec.attribute("wrapmodes", "periodic,periodic")
+        spec.attribute("wrapmodes", f"{wrap},{wrap}")
         mode = "AppendSubimage" if number else "Create"
         pixels = np.ascontiguousarray(level, None if level.dtype == np.uint8 else np.float32)
         if not (output.open(str(path), spec, mode) and output.write_image(pixels)):

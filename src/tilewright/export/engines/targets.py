@@ -5,7 +5,8 @@ from importlib import import_module
 from pathlib import Path
 
 from tilewright.checks import check_choice, check_type
-from tilewright.export.engines.folder import Kit, find_objection, prepare
+from tilewright.export.engines.folder import find_objection
+from tilewright.export.engines.kit import Kit, prepare
 from tilewright.files.atomic import AnyPath, whole_folder
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles

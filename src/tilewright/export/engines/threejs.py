@@ -3,7 +3,8 @@
 import json
 from pathlib import Path
 
-from tilewright.export.engines.folder import Kit
+from tilewright.export.engines.folder import finish, tone_names
+from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.ktx2 import write_textures
 from tilewright.export.engines.parts import fill
 from tilewright.shaders.lookup import real
@@ -15,6 +16,7 @@ def write(folder: Path, kit: Kit) -> None:
     """Fill a folder for three.js."""
     files = write_textures(folder, kit)
     described = {"form": kit.form, "files": files, "slots": kit.slots}
+    described |= {"tones": tone_names(kit, files)} if kit.toned else {}
     values = {
         "count": str(len(kit.material.tiles)),
         "set": json.dumps(described, indent=2),
@@ -24,7 +26,8 @@ def write(folder: Path, kit: Kit) -> None:
     for part in _PARTS:
         text = fill(f"threejs/{part}", **kit.numbers() | values)
         (folder / part).write_text(text, encoding="utf-8")
-    kit.finish(
+    finish(
+        kit,
         folder,
         "An endless material for three.js",
         "rendered here, by three.js 0.170 and 0.187 in Chromium, equal to Python's picture at one texel per "

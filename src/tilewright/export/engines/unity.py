@@ -3,7 +3,8 @@
 from pathlib import Path
 
 from tilewright.export.engines.dds import write_dds
-from tilewright.export.engines.folder import Kit, file_names
+from tilewright.export.engines.folder import file_names, finish, tone_names
+from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
 
 _READS = {
@@ -23,16 +24,24 @@ def write(folder: Path, kit: Kit) -> None:
     for map, file in files.items():
         levels, srgb = kit.levels(map)
         write_dds(folder / file, levels, srgb=srgb)
+    tones = tone_names(kit, files)
+    for map, file in tones.items():
+        write_dds(folder / file, kit.tone(map))
     used = {slot: f"_{slot.capitalize()}Map" for slot in kit.slots if slot in _READS}
-    maps = ", ".join(f'("{used[slot]}", "{files[kit.slots[slot]]}")' for slot in used)
+    maps = [(used[slot], files[kit.slots[slot]]) for slot in used]
+    maps += [(f"_{slot.capitalize()}Tone", tones[kit.slots[slot]]) for slot in _toned(kit)]
     (folder / "Editor").mkdir()
     array = "true" if kit.form == "array" else "false"
-    importer = fill("unity/TilewrightImporter.cs", maps=maps, array=array)
+    pairs = ", ".join(f'("{name}", "{file}")' for name, file in maps)
+    listed = ", ".join(f'"{file}"' for file in tones.values())
+    texts = {"maps": pairs, "array": array, "tones": listed}
+    importer = fill("unity/TilewrightImporter.cs", **texts, toned=bool(tones), plain=not tones)
     (folder / "Editor" / "TilewrightImporter.cs").write_text(importer, encoding="utf-8")
     include = fill("unity/Tilewright.hlsl", **kit.numbers(), include=kit.lookup("hlsl"))
     (folder / "Tilewright.hlsl").write_text(include, encoding="utf-8")
     (folder / "Tilewright.shader").write_text(_shader(kit, used), encoding="utf-8")
-    kit.finish(
+    finish(
+        kit,
         folder,
         "Unity",
         "compiled only: the include (and run) and the shader as HLSL by glslang, the importer by Mono's "
@@ -53,6 +62,11 @@ def write(folder: Path, kit: Kit) -> None:
     )
 
 
+def _toned(kit: Kit) -> list[str]:
+    """The slots whose maps have tone."""
+    return [slot for slot, map in kit.slots.items() if slot in _READS and map in kit.toned]
+
+
 def _shader(kit: Kit, used: dict[str, str]) -> str:
     """The URP shader, with a property, a texture and a read for each map."""
     array = kit.form == "array"
@@ -64,6 +78,13 @@ def _shader(kit: Kit, used: dict[str, str]) -> str:
     properties = [f'    {name} ("{slot.capitalize()}", {kind}) = "white" {{}}' for slot, name in used.items()]
     textures = [f"      {macro}({name}); SAMPLER(sampler{name});" for name in used.values()]
     reads = [f"        {_READS[slot].format(sample.format(name))}" for slot, name in used.items()]
+    for slot in _toned(kit):
+        name = f"_{slot.capitalize()}Tone"
+        properties.append(f'    {name} ("{slot.capitalize()} tone", 2D) = "black" {{}}')
+        textures.append(f"      TEXTURE2D({name}); SAMPLER(sampler{name});")
+        tone = f"TwToneUp({name}, sampler{name}, input.uv, _Origin.xy)"
+        lit = {"color": "albedo"}.get(slot, slot)
+        reads.append(f"        surface.{lit} = TwLay(surface.{lit}, {tone});")
     return fill(
         "unity/Tilewright.shader",
         properties="\n".join(properties),

@@ -6,7 +6,8 @@ from pathlib import Path
 import numpy as np
 
 from tilewright.export.engines.dds import write_dds
-from tilewright.export.engines.folder import Kit, file_names, pad_levels
+from tilewright.export.engines.folder import file_names, finish, tone_names
+from tilewright.export.engines.kit import Kit, pad_levels
 from tilewright.export.engines.parts import fill
 
 
@@ -18,16 +19,25 @@ def write(folder: Path, kit: Kit) -> None:
         levels = pad_levels(kit.levels(map)[0])
         write_dds(folder / file, levels, old=levels[0].dtype == np.uint8)
         floats += [file] if levels[0].dtype != np.uint8 else []
+    tones = tone_names(kit, files)
+    for map, file in tones.items():
+        write_dds(folder / file, kit.tone(map))
+    if tones:
+        (folder / "custom_tone.hlsl").write_text(kit.lookup("unreal tone"), encoding="utf-8")
     slots = kit.slots
     script = fill(
         "unreal/make_material.py.in",
         files=json.dumps({slot: files[map] for slot, map in slots.items()}, indent=4),
         light=json.dumps([s for s, map in slots.items() if kit.levels(map)[1]]),
         floats=json.dumps(floats),
+        tones=json.dumps({slot: tones[map] for slot, map in slots.items() if map in tones}),
+        toned=bool(tones),
+        plain=not tones,
     )
     (folder / "make_material.py").write_text(script, encoding="utf-8")
-    (folder / "custom_node.hlsl").write_text(kit.lookup("unreal"), encoding="utf-8")
-    kit.finish(
+    (folder / "custom_node.hlsl").write_text(kit.lookup("unreal", tone=False), encoding="utf-8")
+    finish(
+        kit,
         folder,
         "Unreal Engine 5",
         "compiled only: the node's code as HLSL by glslang, and run; the script against a stand-in",

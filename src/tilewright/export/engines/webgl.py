@@ -5,7 +5,7 @@ import json
 from collections.abc import Iterator
 from pathlib import Path
 
-from tilewright.export.engines.folder import Kit
+from tilewright.export.engines.kit import Kit, Levels
 from tilewright.export.engines.parts import fill
 
 _CHANNELS = {1: ("R", "RED"), 2: ("RG", "RG"), 4: ("RGBA", "RGBA")}
@@ -45,8 +45,19 @@ def _script(kit: Kit) -> Iterator[str]:
             "light": kit.material.kinds[map] == "color",
         }
         yield f"  {json.dumps(map)}: {{ ...{json.dumps(described)}, levels: [\n"
-        for level in levels:
-            little = level.astype(level.dtype.newbyteorder("<"))
-            yield f'    "{base64.b64encode(little.tobytes()).decode()}",\n'
-        yield "  ] },\n"
+        yield from _texts(levels)
+        if map in kit.toned:
+            tone = kit.tone(map)
+            rows, columns = tone[0].shape[1:3]
+            yield f'  ], tone: {{ "width": {columns}, "height": {rows}, levels: [\n'
+            yield from _texts(tone)
+            yield "  ] } },\n"
+        else:
+            yield "  ] },\n"
     yield "};\n"
+
+
+def _texts(levels: Levels) -> Iterator[str]:
+    for level in levels:
+        little = level.astype(level.dtype.newbyteorder("<"))
+        yield f'    "{base64.b64encode(little.tobytes()).decode()}",\n'

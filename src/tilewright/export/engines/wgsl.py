@@ -2,7 +2,8 @@
 
 from pathlib import Path
 
-from tilewright.export.engines.folder import Kit
+from tilewright.export.engines.folder import finish
+from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.ktx2 import write_textures
 from tilewright.export.engines.parts import fill
 
@@ -13,9 +14,11 @@ def write(folder: Path, kit: Kit) -> None:
     array = kit.form == "array"
     texture, edge = ("texture_2d_array", "clamp-to-edge") if array else ("texture_2d", "repeat")
     (folder / "tilewright.wgsl").write_text(kit.lookup("wgsl"), encoding="utf-8")
-    example = fill("wgsl/example.wgsl", texture=texture, edge=edge)
+    texts = {"texture": texture, "edge": edge}
+    example = fill("wgsl/example.wgsl", **texts, toned=bool(kit.toned), plain=not kit.toned)
     (folder / "example.wgsl").write_text(example, encoding="utf-8")
-    kit.finish(
+    finish(
+        kit,
         folder,
         "WGSL",
         "rendered here, through wgpu, equal to Python's picture at one texel per pixel",

@@ -57,10 +57,10 @@ uint TwClass(int2 cell) {
 }
 
 // {{/classed}}
-// {{#array}}
+// {{#layers}}
 // Number of the tile with these corners.
 uint TwTile(uint4 c) { return ((c.x * {{colors}}u + c.y) * {{colors}}u + c.z) * {{colors}}u + c.w; }
-// {{/array}}
+// {{/layers}}
 // {{#odd}}
 // Where a pair of colors occurs in Wei's train.
 uint TwPair(uint a, uint b) {

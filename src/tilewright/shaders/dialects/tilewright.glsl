@@ -9,6 +9,10 @@
 // anisotropic; clamp.
 // {{/several}}
 // {{/array}}
+// {{#grid}}
+// Textures hold each picture in a square of a grid, with a gutter around it. Filter them trilinear or anisotropic;
+// clamp.
+// {{/grid}}
 // {{#atlas}}
 // {{#single}}
 // Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
@@ -77,10 +81,10 @@ uint twClass(ivec2 cell) {
 }
 
 // {{/classed}}
-// {{#array}}
+// {{#layers}}
 // Number of the tile with these corners.
 uint twTile(uvec4 c) { return ((c.x * {{colors}}u + c.y) * {{colors}}u + c.z) * {{colors}}u + c.w; }
-// {{/array}}
+// {{/layers}}
 // {{#odd}}
 // Where a pair of colors occurs in Wei's train.
 uint twPair(uint a, uint b) {
@@ -164,9 +168,33 @@ TwPlace twFind(vec2 p, ivec2 origin) {
 
 vec4 twSample(highp sampler2D map, TwPlace at) { return textureGrad(map, at.uv, at.dx, at.dy); }
 // {{/atlas}}
+// {{#grid}}
+// Where p is sampled, and gradients of that taken before p was split into tiles.
+struct TwPlace { vec2 uv; vec2 dx; vec2 dy; };
+
+// p is counted from the cell origin; move it to have another part of the plane.
+TwPlace twFind(vec2 p, ivec2 origin) {
+  vec2 cell = floor(p);
+  ivec2 here = ivec2(cell) + origin;
+  uint picture = twTile(twCorners(here));
+// {{#classed}}
+  picture += twClass(here) * {{tiles}}u;
+// {{/classed}}
+// {{#several}}
+  picture = picture * {{variants}}u + twVariant(here);
+// {{/several}}
+  vec2 square = vec2(picture % {{columns}}u, picture / {{columns}}u) * {{square}};
+  return TwPlace(square + (p - cell) * {{scale}} + {{gutter}}, dFdx(p) * {{scale}}, dFdy(p) * {{scale}});
+}
+
+vec4 twSample(highp sampler2D map, TwPlace at) { return textureGrad(map, at.uv, at.dx, at.dy); }
+// {{/grid}}
 
 // Normal of a normal map, green up (OpenGL): x east, y north, z out of the picture.
 vec3 twNormal(vec4 texel) {
   vec2 n = texel.xy * 2.0 - 1.0;
   return vec3(n, sqrt(max(0.0, 1.0 - dot(n, n))));
 }
+// {{#toned}}
+{{tone}}
+// {{/toned}}

@@ -9,6 +9,10 @@
 // anisotropic; clamp.
 // {{/several}}
 // {{/array}}
+// {{#grid}}
+// Textures hold each picture in a square of a grid, with a gutter around it. Filter them trilinear or anisotropic;
+// clamp.
+// {{/grid}}
 // {{#atlas}}
 // {{#single}}
 // Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
@@ -73,11 +77,41 @@ float4 TwSample(Texture2D map, SamplerState filtering, TwPlace at) {
   return map.SampleGrad(filtering, at.uv, at.dx, at.dy);
 }
 // {{/atlas}}
+// {{#grid}}
+// Where p is sampled, and gradients of that taken before p was split into tiles.
+struct TwPlace { float2 uv; float2 dx; float2 dy; };
+
+// p is counted from the cell origin; move it to have another part of the plane.
+TwPlace TwFind(float2 p, int2 origin) {
+  float2 cell = floor(p);
+  TwPlace at;
+  int2 here = (int2)cell + origin;
+  uint picture = TwTile(TwCorners(here));
+// {{#classed}}
+  picture += TwClass(here) * {{tiles}}u;
+// {{/classed}}
+// {{#several}}
+  picture = picture * {{variants}}u + TwVariant(here);
+// {{/several}}
+  float2 square = float2(picture % {{columns}}u, picture / {{columns}}u) * {{square}};
+  at.uv = square + (p - cell) * {{scale}} + {{gutter}};
+  at.dx = ddx(p) * {{scale}};
+  at.dy = ddy(p) * {{scale}};
+  return at;
+}
+
+float4 TwSample(Texture2D map, SamplerState filtering, TwPlace at) {
+  return map.SampleGrad(filtering, at.uv, at.dx, at.dy);
+}
+// {{/grid}}
 
 // Normal of a normal map, green up (OpenGL): x east, y north, z out of the picture.
 float3 TwNormal(float4 texel) {
   float2 n = texel.xy * 2.0 - 1.0;
   return float3(n, sqrt(max(0.0, 1.0 - dot(n, n))));
 }
+// {{#toned}}
+{{tone}}
+// {{/toned}}
 
 #endif

@@ -9,6 +9,10 @@
 // anisotropic; clamp.
 // {{/several}}
 // {{/array}}
+// {{#grid}}
+// Textures hold each picture in a square of a grid, with a gutter around it. Filter them trilinear or anisotropic;
+// clamp.
+// {{/grid}}
 // {{#atlas}}
 // {{#single}}
 // Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
@@ -82,12 +86,12 @@ fn tw_class(cell: vec2i) -> u32 {
 }
 
 // {{/classed}}
-// {{#array}}
+// {{#layers}}
 // Number of the tile with these corners.
 fn tw_tile(c: vec4u) -> u32 {
   return ((c.x * {{colors}}u + c.y) * {{colors}}u + c.z) * {{colors}}u + c.w;
 }
-// {{/array}}
+// {{/layers}}
 // {{#odd}}
 // Where a pair of colors occurs in Wei's train.
 fn tw_pair(a: u32, b: u32) -> u32 {
@@ -180,9 +184,36 @@ fn tw_sample(map: texture_2d<f32>, filtering: sampler, at: TwPlace) -> vec4f {
   return textureSampleGrad(map, filtering, at.uv, at.dx, at.dy);
 }
 // {{/atlas}}
+// {{#grid}}
+// Where p is sampled, and gradients of that taken before p was split into tiles.
+struct TwPlace { uv: vec2f, dx: vec2f, dy: vec2f }
+
+// p is counted from the cell origin; move it to have another part of the plane. Call it where all
+// fragments of a quad do (uniform control flow).
+fn tw_find(p: vec2f, origin: vec2i) -> TwPlace {
+  let cell = floor(p);
+  let here = vec2i(cell) + origin;
+  var picture = tw_tile(tw_corners(here));
+// {{#classed}}
+  picture += tw_class(here) * {{tiles}}u;
+// {{/classed}}
+// {{#several}}
+  picture = picture * {{variants}}u + tw_variant(here);
+// {{/several}}
+  let square = vec2f(vec2u(picture % {{columns}}u, picture / {{columns}}u)) * {{square}};
+  return TwPlace(square + (p - cell) * {{scale}} + {{gutter}}, dpdx(p) * {{scale}}, dpdy(p) * {{scale}});
+}
+
+fn tw_sample(map: texture_2d<f32>, filtering: sampler, at: TwPlace) -> vec4f {
+  return textureSampleGrad(map, filtering, at.uv, at.dx, at.dy);
+}
+// {{/grid}}
 
 // Normal of a normal map, green up (OpenGL): x east, y north, z out of the picture.
 fn tw_normal(texel: vec4f) -> vec3f {
   let n = texel.xy * 2.0 - 1.0;
   return vec3f(n, sqrt(max(0.0, 1.0 - dot(n, n))));
 }
+// {{#toned}}
+{{tone}}
+// {{/toned}}

@@ -8,6 +8,21 @@ struct TwFunctions {
 
 TwFunctions tw;
 float2 twCell = floor(Position);
+// {{#grid}}
+int2 twHere = (int2)twCell + (int2)round(Origin);
+uint twPicture = tw.TwTile(tw.TwCorners(twHere));
+// {{#classed}}
+twPicture += tw.TwClass(twHere) * {{tiles}}u;
+// {{/classed}}
+// {{#several}}
+twPicture = twPicture * {{variants}}u + tw.TwVariant(twHere);
+// {{/several}}
+float2 twSquare = float2(twPicture % {{columns}}u, twPicture / {{columns}}u) * {{square}};
+DX = ddx(Position) * {{scale}};
+DY = ddy(Position) * {{scale}};
+return twSquare + (Position - twCell) * {{scale}} + {{gutter}};
+// {{/grid}}
+// {{#atlas}}
 // {{#single}}
 uint2 twPlace = tw.TwPlaceOf(tw.TwCorners((int2)twCell + (int2)round(Origin)));
 // {{/single}}
@@ -18,3 +33,4 @@ uint2 twPlace = tw.TwPlaceOf(tw.TwCorners(twHere)) + uint2(tw.TwVariant(twHere) 
 DX = ddx(Position) * {{scale}};
 DY = ddy(Position) * {{scale}};
 return ((float2)twPlace + (Position - twCell)) * {{scale}};
+// {{/atlas}}

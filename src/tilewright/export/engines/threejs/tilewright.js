@@ -14,13 +14,17 @@ const LOOKUP = /* glsl */ `
  * shows them, and a way to have another material show them (any but points, lines and sprites).
  */
 export async function loadTilewright(url = new URL(".", import.meta.url), renderer) {
-  const maps = {};
-  await Promise.all(Object.entries(SET.files).map(async ([name, file]) => {
+  const maps = {}, tones = {};
+  const load = async (into, name, file) => {
     const response = await fetch(new URL(file, new URL(url, location.href)));
     if (!response.ok) throw new Error(`${response.url} could not be loaded: ${response.status}`);
-    maps[name] = makeTexture(readKtx2(await response.arrayBuffer(), file), renderer);
-  }));
-  const apply = (material, slots = SET.slots) => showTiles(material, maps, slots);
+    into[name] = makeTexture(readKtx2(await response.arrayBuffer(), file), renderer, into === tones);
+  };
+  await Promise.all([
+    ...Object.entries(SET.files).map(([name, file]) => load(maps, name, file)),
+    ...Object.entries(SET.tones ?? {}).map(([name, file]) => load(tones, name, file)),
+  ]);
+  const apply = (material, slots = SET.slots) => showTiles(material, maps, tones, slots);
   const metalness = SET.slots.metallic ? 1 : 0;
   const material = (parameters) => apply(new THREE.MeshStandardMaterial({ metalness, ...parameters }));
   return { maps, apply, material };
@@ -53,13 +57,13 @@ function readKtx2(buffer, file) {
   return { width, height, layers, levels, ...format };
 }
 
-function makeTexture({ width, height, layers, levels, format, gl: name, half, colorSpace }, renderer) {
+function makeTexture({ width, height, layers, levels, format, gl: name, half, colorSpace }, renderer, clamp) {
   const gl = renderer.getContext();
   if (Math.max(width, height) > renderer.capabilities.maxTextureSize ||
       layers > gl.getParameter(gl.MAX_ARRAY_TEXTURE_LAYERS)) {
     throw new Error(`This device cannot hold a texture of ${width} x ${height} texels and ${layers} layers.`);
   }
-  const wrap = layers ? THREE.ClampToEdgeWrapping : THREE.RepeatWrapping;
+  const wrap = layers || clamp ? THREE.ClampToEdgeWrapping : THREE.RepeatWrapping;
   const texture = Object.assign(
     layers ? new THREE.DataArrayTexture(levels[0].data, width, height, layers)
            : new THREE.DataTexture(levels[0].data, width, height),
@@ -138,7 +142,7 @@ vec3 twSlope(highp TW_SAMPLER map, float here) {
  * origin: the cell that offset counts from, whole numbers (move it instead of offset to go far);
  * relief: strength of the normal map or, where there is none, tiles from the lowest to the highest point.
  */
-function showTiles(material, maps, slots) {
+function showTiles(material, maps, tones, slots) {
   const used = Object.keys(slots).filter((slot) => slot in SLOTS && !(slot === "height" && slots.normal));
   const look = material.userData.tilewright = {
     repeat: new THREE.Vector2(1, 1), offset: new THREE.Vector2(), origin: new THREE.Vector2(),
@@ -160,8 +164,11 @@ function showTiles(material, maps, slots) {
     const shown = used.filter((slot) => slot === "color" || has(SLOTS[slot][0]));
     for (const slot of shown) {
       const [chunk, text] = SLOTS[slot];
-      after("fragmentShader", chunk, `{ vec4 texel = twSample(tw_${slot}, twAt); ${text} }`);
+      const tone = tones[slots[slot]];
+      const lay = tone ? `texel.rgb = twLay(texel.rgb, twTone(tw_tone_${slot}, twPosition, twOrigin)); ` : "";
+      after("fragmentShader", chunk, `{ vec4 texel = twSample(tw_${slot}, twAt); ${lay}${text} }`);
       shader.uniforms[`tw_${slot}`] = { value: maps[slots[slot]] };
+      if (tone) shader.uniforms[`tw_tone_${slot}`] = { value: tone };
     }
     after("fragmentShader", "clipping_planes_fragment", "TwPlace twAt = twFind(twPosition, twOrigin);");
     after("fragmentShader", "common", [
@@ -169,6 +176,7 @@ function showTiles(material, maps, slots) {
       has("normal_fragment_maps") ? "#define TW_LIT" : "",
       FRAGMENT,
       ...shown.map((slot) => `uniform highp TW_SAMPLER tw_${slot};`),
+      ...shown.filter((slot) => tones[slots[slot]]).map((slot) => `uniform highp sampler2D tw_tone_${slot};`),
     ].join("\n"));
     after("vertexShader", "common", VERTEX);
     after("vertexShader", "uv_vertex", "twPosition = vec2(uv.x, 1.0 - uv.y) * twRepeat + twOffset;");

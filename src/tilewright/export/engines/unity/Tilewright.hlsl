@@ -5,15 +5,27 @@
 #define TW_MAP UnityTexture2DArray
 #define TW_SAMPLE(map, at) SAMPLE_TEXTURE2D_ARRAY_GRAD(map.tex, map.samplerstate, at.uv.xy, at.uv.z, at.dx, at.dy)
 // {{/array}}
-// {{#atlas}}
+// {{#flat}}
 #define TW_MAP UnityTexture2D
 #define TW_SAMPLE(map, at) SAMPLE_TEXTURE2D_GRAD(map.tex, map.samplerstate, at.uv, at.dx, at.dy)
-// {{/atlas}}
+// {{/flat}}
 
 TwPlace TwFindUp(float2 position, float2 origin) {
   return TwFind(float2(position.x, -position.y), (int2)round(origin));
 }
 
+// {{#toned}}
+float3 TwToneUp(Texture2D tone, SamplerState filtering, float2 position, float2 origin) {
+  return TwTone(tone, filtering, float2(position.x, -position.y), (int2)round(origin));
+}
+
+// Function name: TilewrightTone; a map's color with its tone
+void TilewrightTone_float(UnityTexture2D Tone, float4 Color, float2 Position, float2 Origin, out float4 Toned) {
+  float3 tone = TwToneUp(Tone.tex, Tone.samplerstate, Position, Origin);
+  Toned = float4(TwLay(Color.rgb, tone), Color.a);
+}
+
+// {{/toned}}
 // Function name: Tilewright
 void Tilewright_float(TW_MAP Map, float2 Position, float2 Origin, out float4 Color) {
   TwPlace at = TwFindUp(Position, Origin);

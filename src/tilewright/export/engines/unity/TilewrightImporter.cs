@@ -11,10 +11,20 @@ using UnityEngine.Experimental.Rendering;
 public class TilewrightImporter : ScriptedImporter
 {
     const int Header = 148;
+    // {{#plain}}
     const bool IsArray = {{array}};
+    // {{/plain}}
+    // {{#toned}}
+    static readonly string[] Tones = { {{tones}} };  // single pictures
+    bool IsArray;
+    // {{/toned}}
 
     public override void OnImportAsset(AssetImportContext context)
     {
+        // {{#toned}}
+        bool isTone = Array.IndexOf(Tones, Path.GetFileName(context.assetPath)) >= 0;
+        IsArray = {{array}} && !isTone;
+        // {{/toned}}
         byte[] file = File.ReadAllBytes(context.assetPath);
         int height = BitConverter.ToInt32(file, 12), width = BitConverter.ToInt32(file, 16);
         int levels = BitConverter.ToInt32(file, 28), layers = BitConverter.ToInt32(file, 140);
@@ -38,7 +48,12 @@ public class TilewrightImporter : ScriptedImporter
         Texture texture = IsArray ? (Texture)array : single;
         texture.filterMode = FilterMode.Trilinear;
         texture.anisoLevel = 8;
+        // {{#plain}}
         texture.wrapMode = IsArray ? TextureWrapMode.Clamp : TextureWrapMode.Repeat;
+        // {{/plain}}
+        // {{#toned}}
+        texture.wrapMode = IsArray || isTone ? TextureWrapMode.Clamp : TextureWrapMode.Repeat;
+        // {{/toned}}
         context.AddObjectToAsset("texture", texture);
         context.SetMainObject(texture);
     }
