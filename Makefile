@@ -8,8 +8,8 @@ BIN := $(VENV)/bin
 OUT ?= out
 UPDATE ?=
 LOWEST_PYTHON ?= python3.11
-# Every process has one thread for matrices: with more, processes wait for each other.
-PYTEST = OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal
+# Every process has one thread for matrices, and threads without work sleep: else processes wait for each other.
+PYTEST = OPENBLAS_NUM_THREADS=1 OMP_WAIT_POLICY=passive $(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal
 
 .PHONY: demo test check bench docs gallery lint dist lowest clean
 

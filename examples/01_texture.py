@@ -1,4 +1,4 @@
-"""A texture: one photograph becomes 16 tiles, and these an endless plane.
+"""A texture: one photograph becomes tiles, and these an endless plane.
 
 The same by commands, in the folder where this leaves the photograph::
 
@@ -19,7 +19,7 @@ def main(out: Path) -> None:
     out.mkdir(parents=True, exist_ok=True)
     tw.write_image(out / "photo.png", skimage.data.gravel()[..., None])
 
-    material = tw.texture_tiles(out / "photo.png", tw.corner_tiles(colors=2), tile_size=64, seed=1)
+    material = tw.texture_tiles(out / "photo.png", tile_size=64, seed=1)
     tw.save(material, out / "tiles")
 
     plane = tw.TextureField(material, tw.direct(material.tiles, seed=7))

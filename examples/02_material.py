@@ -2,7 +2,7 @@
 
 The same by commands, in the folder where this leaves the maps::
 
-    tilewright texture maps -o material --normal gl --tile-size 64 --seed 1
+    tilewright texture maps -o material --normal gl --seed 1
     tilewright render material -o plane.png --map height --width 800 --height 600
 """
 
@@ -22,7 +22,7 @@ def main(out: Path) -> None:
         tw.write_image(out / "maps" / f"wall_{name}.png", drawn[name])
 
     maps = tw.find_maps(out / "maps")
-    material = tw.texture_tiles(maps, tw.corner_tiles(colors=2), normal="gl", tile_size=64, seed=1)
+    material = tw.texture_tiles(maps, normal="gl", seed=1)
     tw.save(material, out / "material")
 
     plane = tw.TextureField(material, tw.direct(material.tiles))

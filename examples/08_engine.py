@@ -19,7 +19,7 @@ def main(out: Path) -> None:
     out.mkdir(parents=True, exist_ok=True)
     tw.write_image(out / "photo.png", skimage.data.gravel()[..., None])
 
-    material = tw.texture_tiles(out / "photo.png", tw.corner_tiles(colors=2), tile_size=64, seed=1)
+    material = tw.texture_tiles(out / "photo.png", tile_size=64, seed=1)
     tw.save(material, out / "tiles")
     tw.save_for_engine(material, out / "godot", "godot", seed=7)
 

@@ -28,7 +28,7 @@ def main() -> None:
 
             photo = skimage.data.gravel()
     with step("tile set", out / "tiles"):
-        material = tw.texture_tiles(photo, method="faithful", seed=1)
+        material = tw.texture_tiles(photo, seed=1)
         tw.save(material, out / "tiles")
     print(f"          {describe(material)}")
     with step("picture: 4096 x 4096 pixels of the endless plane", out / "plane.png"):

@@ -32,9 +32,9 @@ json.dump(said, sys.stdout)
 """
 
 COMMANDS = {
-    "texture": "texture photo.png -o set --tile-size 32 --seed 1",
+    "texture": "texture photo.png -o set --tile-size 32 --seed 1 --tiles corner",
     "texture of maps": "texture --map albedo=photo.png --map normal=normal.png --map roughness=rough.png"
-    " -o maps --tile-size 32 --normal gl --weight albedo=2",
+    " -o maps --tile-size 32 --normal gl --weight albedo=2 --tiles corner",
     "texture again": "texture --from set --reject corner:0 -o again",
     "texture of Wang tiles": "texture photo.png -o wang --tiles wang --colors 2 --tile-size 32",
     "texture of two": "texture photo.png --second second.png --mask mask.png -o two --tile-size 32"

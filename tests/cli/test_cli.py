@@ -36,7 +36,7 @@ def call(*arguments, capture=None):
 def test_from_photograph_to_picture_page_and_figures(photo, folder, tmp_path, capsys):
     code, out = call("texture", photo, "-o", tmp_path / "t", "--tile-size", 32, "--json", capture=capsys)
     figures = json.loads(out.out)
-    assert (code, figures["tiles"], figures["tile_size"]) == (0, 16, 32)
+    assert (code, figures["tiles"], figures["tile_size"], figures["treatment"]) == (0, 80, 32, "even")
     picture = tmp_path / "a.png"
     code, out = call("render", folder, "-o", picture, "--x", -50, "--width", 200, "--height", 100,
                      "--lattice-seed", 7, "--json", capture=capsys)  # fmt: skip

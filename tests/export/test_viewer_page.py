@@ -160,7 +160,7 @@ def test_a_set_without_a_direct_tiling_is_shown_as_a_patch(open_page):
 
 
 def test_controls(open_page):
-    page = open_page(handmade(tw.corner_tiles(2), 16, maps=2), width=320, height=400)
+    page = open_page(handmade(tw.corner_tiles(2), 16, maps=2), width=240, height=320)
     view(page, pixelsPerTile=32)
     first = read(page)
     page.fill("#seed", "99")
@@ -307,7 +307,7 @@ def test_seen_from_afar_each_method_keeps_the_mean_color(open_page, pair):
 
 
 def test_two_methods_side_by_side(open_page, pair):
-    page = open_page(pair.material, seed=7, width=800, height=200, compare=pair)
+    page = open_page(pair.material, seed=7, width=800, height=120, compare=pair)
     assert view(page)["method"] == "corner"
     alone = {}
     for method in ("hex", "wang"):
@@ -319,9 +319,9 @@ def test_two_methods_side_by_side(open_page, pair):
     both = read(page)
     assert np.array_equal(both[:, :400], alone["wang"][:, :400])
     assert np.array_equal(both[:, 400:], alone["hex"][:, 400:])
-    page.mouse.move(400, 100)
+    page.mouse.move(400, 60)
     page.mouse.down()
-    page.mouse.move(200, 100, steps=3)
+    page.mouse.move(200, 60, steps=3)
     page.mouse.up()
     assert view(page)["split"] == pytest.approx(0.25, abs=0.01)
     moved = read(page)

@@ -27,7 +27,7 @@ def test_render_copies_the_right_pixels(kind, channels):
     field = tw.TextureField(material, tw.direct(material.tiles, 5))
     for x, y in ((-37, -5), (3, 250), (-(10**18), 10**18 + 7)):
         assert np.array_equal(
-            field.render(x, y, 40, 21, map="map1"), slow_render(field, x, y, 40, 21, "map1")
+            field.render(x, y, 21, 18, map="map1"), slow_render(field, x, y, 21, 18, "map1")
         )
 
 

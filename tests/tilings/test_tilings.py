@@ -109,7 +109,7 @@ def test_diagonals_through_cubes_repeat_along_any_axes(period):
         assert np.array_equal(here, tiling.indices(*start, 14, 13, 12))
 
 
-@pytest.mark.parametrize("c", range(3, 17))
+@pytest.mark.parametrize("c", [*range(3, 9), 11, 16])
 def test_chains_close_for_every_number_of_choices(c):
     """Tori whose diagonals are cut into one block, a short one, and blocks of two lengths."""
     for d in range(2, c):
@@ -174,7 +174,7 @@ def test_any_window_is_part_of_any_other(name, x, y, seed, width, height):
     tiles = SETS[name]
     d = tiles.shape.dimension
     tiling = tw.direct(tiles, seed)
-    start, extent = (x, y, -x)[:d], (width, height, 4)[:d]
+    start, extent = (x, y, -x - 100)[:d], (width, height, 4)[:d]
     whole = tiling.indices(*start, *(n + 25 for n in extent))
     inner = tuple(slice(24, 24 + n) for n in reversed(extent))
     assert np.array_equal(whole[inner], tiling.indices(*(v + 24 for v in start), *extent))

@@ -32,8 +32,8 @@ def command(
     tiles: Annotated[
         str | None,
         option(
-            help="Tile set: corner, wang, cohen-8, cohen-12, cohen-18 or corner-coded; default corner, "
-            "or with --method faithful what suits the photograph."
+            help="Tile set: corner, wang, cohen-8, cohen-12, cohen-18 or corner-coded; default what suits "
+            "the photograph, or corner with an older method."
         ),
     ] = None,
     colors: Annotated[
@@ -43,23 +43,23 @@ def command(
     tile_size: Annotated[
         str | None,
         option(
-            help="Size of a tile in pixels, even, 16 to 1024, or auto; default 128, or with --method "
-            "faithful what suits the photograph."
+            help="Size of a tile in pixels, even, 16 to 1024, or auto; default what suits the photograph, "
+            "or 128 with an older method."
         ),
     ] = None,
     method: Annotated[
         str | None,
         option(
-            help="How tiles are made: faithful, nested (default), ng or squares for corners; "
-            "centered-diamonds (default), diamonds or burke for Wang tiles. faithful keeps the tones, the "
-            "courses and the seldom things of the photograph."
+            help="How tiles are made: faithful, nested, ng or squares for corners; centered-diamonds "
+            "(default), diamonds or burke for Wang tiles. Default faithful, which keeps the tones, courses "
+            "and the seldom things of the photograph; nested over a set that is named."
         ),
     ] = None,
     tone: Annotated[
         bool | None,
         option(
             "--tone/--no-tone",
-            help="Whether tone larger than a tile is laid outside the tiles, with --method faithful; default "
+            help="Whether tone larger than a tile is laid outside the tiles, with method faithful; default "
             "where it belongs to no things.",
         ),
     ] = None,

@@ -103,7 +103,7 @@ def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArr
 
 
 def _grid_rows(material: TextureTiles) -> NDArray[np.int64]:
-    """The picture in each cell of a grid, for each variant side by side; the first tiles fill the last row."""
+    """The picture in each cell of a grid for each variant, side by side; first tiles fill the last row."""
     count, side = even_variants(material), grid_side(len(material.tiles))
     cells = np.arange(side**2).reshape(side, side) % len(material.tiles) * count
     return np.hstack([cells + variant for variant in range(count)])

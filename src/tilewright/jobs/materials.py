@@ -279,8 +279,8 @@ def texture_tiles(
         A single picture becomes the map ``"albedo"``; a folder gives the maps that its file names tell, see
         `find_maps`. Arrays hold uint8, uint16 or float32.
     tiles : TileSet, optional
-        Corner, corner-coded or Wang tiles; by default the complete corner set over 2 colors, over 4 with two
-        photographs, and with ``method="faithful"`` the classed set that suits the photograph.
+        Corner, corner-coded or Wang tiles; by default those that suit the photograph, and with an older
+        ``method`` the complete corner set over 2 colors, over 4 with two photographs.
     second : path, array or dict, optional
         A second photograph for the marked corners of an inhomogeneous set; by default there is none.
     mask : path or array, optional
@@ -297,8 +297,8 @@ def texture_tiles(
     flatten : bool, optional
         Take out of color maps the light that varies slowly; default False.
     tile_size : int or "auto", optional
-        Pixels along a tile, even, 16 to 1,024; default 128, and with ``method="faithful"`` what suits the
-        photograph. ``"auto"`` takes a size near 128 that is a whole number of the photograph's periods.
+        Pixels along a tile, even, 16 to 1,024; by default what suits the photograph. Older methods take 128,
+        and with ``"auto"`` a size near it that is a whole number of the photograph's periods.
     seed : int, optional
         The same seed gives the same bytes; 0 to 2^64 - 1, default 0.
     **options : str, bool, dict, int or callable
@@ -343,7 +343,7 @@ def texture_tiles(
         normal=normal,
         flatten=flatten,
     )
-    if tiles is None and options.get("method") != "faithful":
+    if tiles is None and options.get("method") not in (None, "faithful"):
         tiles = corner_tiles(2 if second is None else 4)
     return synthesize(exemplar, tiles, tile_size=tile_size, seed=seed, **options)
 

@@ -32,12 +32,12 @@ class TextureJob(Job):
         The folder of the set; default that of ``like``, else ``tiles``.
     tiles : str, optional
         ``"corner"``, ``"wang"``, ``"cohen-8"``, ``"cohen-12"``, ``"cohen-18"`` or ``"corner-coded"``; default
-        ``"corner"``, or with method ``"faithful"`` what suits the photograph.
+        what suits the photograph, or ``"corner"`` with an older method.
     colors : int, optional
         Colors of a complete set; default 2, or 4 with ``second``.
     tile_size : int or str, optional
-        Pixels along a tile, even, or ``"auto"``; default 128, or with method ``"faithful"`` what suits the
-        photograph.
+        Pixels along a tile, even, or ``"auto"``; default what suits the photograph, or 128 with an older
+        method.
     map : dict of str to path, optional
         Files of maps by name.
     weight : dict of str to float, optional
@@ -211,8 +211,7 @@ class TextureJob(Job):
         """What was asked for; None where the photograph decides."""
         from tilewright.tiles import cohen_tiles, corner_coded_tiles, corner_tiles, wang_tiles
 
-        asked = (self.tiles, self.colors, self.second)
-        if self.method == "faithful" and asked == (None, None, None):
+        if self.method in (None, "faithful") and self.tiles is self.colors is None:
             return None
         kind = check_choice("tiles", "corner" if self.tiles is None else self.tiles, _KINDS)
         colors = self.colors

@@ -118,7 +118,7 @@ STREAMS = (
         "TONES",
         TONES,
         "places of the photograph around whose points of a grid tone is taken: row and column, 12 bits each",
-        ("fields.tone", "gpu.field"),
+        ("fields.tone", "shaders.lookup", "export.engines.folder", "gpu.field"),
         any_hash=True,
     ),
 )

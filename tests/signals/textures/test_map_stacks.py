@@ -53,7 +53,7 @@ def stack(surface, kind=np.uint8):
 
 
 def make(maps, **options):
-    return tw.texture_tiles(maps, tile_size=32, seed=1, normal="gl", **options)
+    return tw.texture_tiles(maps, tw.corner_tiles(2), tile_size=32, seed=1, normal="gl", **options)
 
 
 @pytest.mark.parametrize(
@@ -199,7 +199,7 @@ def test_leaves_as_a_whole_material(photograph):
     """The asked figures: color at most 1.10, every other map 1.25, repetition 0.20."""
     names = ("albedo", "normal", "roughness", "height")
     maps = {n: photograph(f"leaves_{n}")[:512, :512] for n in names}
-    material = tw.texture_tiles(maps, seed=1, tile_size=96, normal="dx")
+    material = tw.texture_tiles(maps, tw.corner_tiles(2), seed=1, tile_size=96, normal="dx")
     assert tile_lag_autocorrelation(lay_sample(material))[0] <= 0.17
     for name in names:
         alone = TextureTiles(
@@ -275,7 +275,7 @@ def test_flatten_takes_out_slow_light_only(gravel):
 
     # What is fine stays what it is: it is the undimmed photograph's.
     assert np.corrcoef(fine(flat).ravel(), fine(gravel).ravel())[0, 1] > 0.97
-    even = tw.texture_tiles(lit, tile_size=64, seed=1, flatten=True)
+    even = tw.texture_tiles(lit, tw.corner_tiles(2), tile_size=32, seed=1, flatten=True)
     assert np.array_equal(even.sources[0]["albedo"], flat)
 
 
@@ -311,7 +311,7 @@ def test_two_photographs(surface, tmp_path):
     assert list(found.sources[0]) == list(found.sources[1])
     assert found.kinds["normal"] == "normal-gl"
     assert np.abs(found.sources[0]["normal"].astype(int) - found.sources[1]["normal"]).max() <= 1
-    material = tw.texture_tiles(maps, second=turned, kinds=found.kinds, tile_size=16)
+    material = tw.texture_tiles(maps, tw.corner_tiles(4), second=turned, kinds=found.kinds, tile_size=16)
     tw.save(material, tmp_path / "set")
     assert tw.load(tmp_path / "set").maps.keys() == material.maps.keys()
     both = tw.add_maps(material, {"e": maps["albedo"]}, second={"e": maps["albedo"]})
