@@ -6,6 +6,8 @@ from scipy.ndimage import gaussian_filter
 
 import tilewright as tw
 from masonry import courses
+from tilewright.analysis import lay_sample
+from tilewright.analysis.textures.seams import cut_line_ratio
 from tilewright.errors import TilewrightValueError, TilewrightWarning
 from tilewright.signals.textures.lone import lone_things_of
 
@@ -104,3 +106,26 @@ def test_courses_of_two_photographs_are_left_alone():
 def test_a_tile_larger_than_a_wall_is_refused():
     with pytest.raises(TilewrightValueError, match=r"square of \d+ pixels"):
         tw.texture_tiles(as_photo(courses([16] * 12, 192)), method="faithful", tile_size=256)
+
+
+def test_large_tiles_are_drafted_and_cut_at_full_size(gravel):
+    seen = []
+    options = {"method": "faithful", "tile_size": 256, "seed": 1, "tone": False}
+    made = tw.texture_tiles(
+        gravel,
+        tw.classed_corner_tiles(1, 2),
+        pick={"center:0": (0, 101, 67)},
+        progress=lambda *step: seen.append(step),
+        **options,
+    )
+    assert [done for done, _, _ in seen] == list(range(1, seen[0][1] + 1))
+    # A patch that was picked lies where it was picked, others where a draft at half the size put them.
+    assert made.recipe["patches"]["center:0"] == [0, 101, 67]
+    assert made.recipe["picked"] == {"center:0": [0, 101, 67]}
+    others = [spot for name, spot in made.recipe["patches"].items() if name != "center:0"]
+    assert all(y % 2 == x % 2 == 0 for _, y, x in others)
+    _, y, x = np.moveaxis(made.origins, -1, 0)
+    assert np.array_equal(made.pixels, gravel[y, x])
+    again = tw.resynthesize(made, threads=1)
+    assert np.array_equal(again.origins, made.origins)
+    assert cut_line_ratio(lay_sample(made)) < 1.12  # of two tiles: 1.02 to 1.08 by seed, drafted or not

@@ -10,7 +10,7 @@ from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.kinds import to_lab
 from tilewright.signals.textures.regularity import Regularity
 from tilewright.signals.textures.rhythm import Rhythm, find_rhythm
-from tilewright.signals.textures.sheet import reduce_blocks
+from tilewright.signals.textures.sheet import reduce_blocks, reduce_pixels
 
 THINGS = 0.57
 """Edge share from which tone belongs to things. It was 0.37 to 0.53 on eleven photographs without things of
@@ -70,23 +70,24 @@ def find_character(exemplar: Exemplar, regularity: Regularity, tile_size: int) -
         Pixels along a tile of usual size for it.
     """
     name, pixels = next(iter(exemplar.sources[0].items()))
-    lab = to_lab(pixels, exemplar.kinds[name])
     step = max(1, tile_size // SEEN_AT)
-    small = reduce_blocks(lab, step)
+    small = to_lab(reduce_pixels(pixels, step), exemplar.kinds[name])
     usable = reduce_blocks(exemplar.masks[0][..., np.newaxis].astype(np.float32), step)[..., 0] > 0.5
-    return Character(
-        _find_rhythms(lab[..., 0], regularity), _edge_share(small[..., 0], usable), _tone_share(small, usable)
-    )
+    rhythms = _find_rhythms(small[..., 0], step, pixels.shape[:2], regularity)
+    return Character(rhythms, _edge_share(small[..., 0], usable), _tone_share(small, usable))
 
 
-def _find_rhythms(gray: NDArray[np.float32], regularity: Regularity) -> tuple[Rhythm | None, Rhythm | None]:
-    step = -(-max(gray.shape) // _LARGEST_SIDE)
-    small = reduce_blocks(gray[..., np.newaxis], step)[..., 0]
+def _find_rhythms(
+    gray: NDArray[np.float32], seen_step: int, shape: tuple[int, int], regularity: Regularity
+) -> tuple[Rhythm | None, Rhythm | None]:
+    """The rhythms of a photograph of a shape, of which ``seen_step`` pixels are one in ``gray``."""
+    further = -(-max(gray.shape) // _LARGEST_SIDE)
+    small, step = reduce_blocks(gray[..., np.newaxis], further)[..., 0], seen_step * further
     rows, columns = (
         find_rhythm(seen, period and period / step)
         for seen, period in zip((small, small.T), regularity.period, strict=True)
     )
-    return rows and rows.enlarged(step, gray.shape[0]), columns and columns.enlarged(step, gray.shape[1])
+    return rows and rows.enlarged(step, shape[0]), columns and columns.enlarged(step, shape[1])
 
 
 def _edge_share(lightness: NDArray[np.float32], usable: NDArray[np.bool_]) -> float:

@@ -52,6 +52,8 @@ def choose_meeting_corners(
     As `choose_corners`, but a sum over the pairs at the ends of the plan's edges alone, and made less by
     choosing one patch after the other anew (coordinate descent).
     """
+    if search.places_known:
+        return _record(search, [search.ledger.picked[f"corner:{c}"] for c in range(len(plan.corner_sources))])
     # Step 1: places in step with the lattice, without lone things as far as there are others.
     candidates = _candidates(search, plan, overlap, rng)
     # Step 2: how badly any two of them meet, and how conspicuous each is.

@@ -1,7 +1,7 @@
 """Where in the exemplar is a patch that would fit here? Weighted squared distance at every place."""
 
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -30,12 +30,17 @@ class Matcher:
         self.size = size
         # Tone varies slowly: one pixel in `step` is enough.
         self.step = max(1, size // 32)
-        low = sheet.low_pass(tone_sigma)
-        spread = float(low[sheet.usable].var(axis=0, dtype=np.float64).sum())
-        self.tone_pixels = (low - low[sheet.usable].mean(axis=0)) / np.float32(np.sqrt(max(spread, 1e-12)))
+        self._tone_sigma = tone_sigma
         self.blocks = cut_into_blocks(sheet.usable.shape, size)
         self._block = lru_cache(BLOCKS_HELD)(self._prepare_block)
         self._places: dict[tuple[int, ...], NDArray[np.bool_]] = {}
+
+    @cached_property
+    def tone_pixels(self) -> NDArray[np.float32]:
+        """The tone of every pixel, of variance 1."""
+        low, usable = self.sheet.low_pass(self._tone_sigma), self.sheet.usable
+        spread = float(low[usable].var(axis=0, dtype=np.float64).sum())
+        return (low - low[usable].mean(axis=0)) / np.float32(np.sqrt(max(spread, 1e-12)))
 
     def places(self, sources: Sequence[int]) -> NDArray[np.bool_]:
         """Where a window of a tile's size lies in usable pixels of one of the sources."""

@@ -19,8 +19,6 @@ from tilewright.signals.textures.frame import Frame, shared_border
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
 from tilewright.signals.textures.plan import Edge, Plan
 from tilewright.signals.textures.search import (
-    CONTEXT,
-    CONTEXT_SIGMA,
     FURTHER_CANDIDATES,
     Opening,
     PatchSearch,
@@ -138,7 +136,7 @@ def cut_ends(
     state = np.where(along < 0, FORCED_OLD, FORCED_NEW).astype(np.uint8)
     state[frame.diamond & (np.abs(along) < round(OVERLAP * frame.size))] = OPEN
     canvas = Patchwork.of_patch(frame.size, frame.size, first)
-    return canvas.with_cut(search.sheet, second, state, weight, CONTEXT, CONTEXT_SIGMA * frame.size)
+    return canvas.with_patch(second, search.cut(Opening(canvas, state, weight, ()), second))
 
 
 def end_places(frame: Frame, edge: Edge, corners: list[Place]) -> tuple[Place, Place]:

@@ -14,7 +14,7 @@ from scipy.ndimage import gaussian_filter
 
 from tilewright.kernels.mincut import cut_grid
 from tilewright.kernels.seams import FORCED_NEW, FORCED_OLD, OPEN, fill_grid, measure_overlap, sum_seams
-from tilewright.signals.textures.sheet import Sheet
+from tilewright.signals.textures.sheet import Sheet, blur
 
 __all__ = ["FORCED_NEW", "FORCED_OLD", "OPEN", "Patchwork", "stack"]
 
@@ -60,6 +60,7 @@ class Patchwork:
         context: float = 0.0,
         reach: float = 0.0,
         keep: NDArray[np.float32] | None = None,
+        settled: NDArray[np.uint8] | None = None,
     ) -> tuple[float, NDArray[np.bool_]]:
         """Cut a patch into the canvas: the energy of the best cut, and where the patch then lies.
 
@@ -71,12 +72,19 @@ class Patchwork:
         context : how much the difference around a seam counts beside that at the seam.
         reach : radius (sigma, pixels) of that neighborhood.
         keep : float32 (h, w), what each open pixel costs that stays old; nothing by default.
+        settled : uint8 (h, w), the state with more of it forced, for the cut alone; by default no more is.
         """
         height, width = state.shape
         around = np.zeros(state.shape, np.float32)
         if context > 0:
             measure_overlap(sheet.features, self.rows, self.columns, *shift, around)
-            around = np.float32(context) * gaussian_filter(around, reach, mode="nearest")
+            if settled is None:
+                around = gaussian_filter(around, reach, mode="nearest")
+            else:  # of large canvases
+                around = blur(around[..., np.newaxis], reach)[..., 0]
+            around *= np.float32(context)
+        kept = np.zeros(state.shape, np.float32) if keep is None else np.where(state == OPEN, keep, 0)
+        state = state if settled is None else settled
         capacity = np.zeros((4, (height + 2) * (width + 2)), np.int32)
         terminal = np.zeros((height + 2) * (width + 2), np.int32)
         fill_grid(
@@ -91,7 +99,6 @@ class Patchwork:
             capacity,
             terminal,
         )
-        kept = np.zeros(state.shape, np.float32) if keep is None else np.where(state == OPEN, keep, 0)
         inner = terminal.reshape(height + 2, width + 2)[1:-1, 1:-1]
         inner -= np.rint(kept * _SCALE).astype(np.int32)
         in_sink = np.zeros(terminal.shape, np.uint8)

@@ -60,6 +60,12 @@ class Rhythm:
         phase = phase + slope * (np.minimum(rows, 0) + np.maximum(rows - len(self.phase) + 1, 0))
         return Rhythm(self.period * step, np.asarray(phase, np.float64), self.even)
 
+    def reduced(self, step: int, count: int) -> "Rhythm":
+        """The rhythm of ``count`` rows, each the mean of ``step`` rows of the photograph."""
+        middles = (np.arange(count) + 0.5) * step - 0.5
+        phase = np.interp(middles, np.arange(len(self.phase)), self.phase)
+        return Rhythm(self.period / step, np.asarray(phase, np.float64), self.even)
+
     def misfit(self, length: int, line: float) -> Profile:
         """Pixels by which windows of ``length`` rows are out of step with tiles of that size.
 

@@ -89,6 +89,14 @@ def reduce_blocks(image: NDArray[np.float32], step: int) -> NDArray[np.float32]:
     return blocks.mean(axis=(1, 3), dtype=np.float32)
 
 
+def reduce_pixels(pixels: NDArray[Any], step: int) -> NDArray[Any]:
+    """Means over blocks of pixels, of their own type."""
+    if step == 1:
+        return pixels
+    mean = reduce_blocks(pixels.astype(np.float32), step)
+    return (np.rint(mean) if pixels.dtype.kind == "u" else mean).astype(pixels.dtype)
+
+
 def blur(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
     """A Gaussian; wide ones as three boxes of that variance, whose cost does not grow with them."""
     side = 2 * round((np.sqrt(4 * sigma**2 + 1) - 1) / 2) + 1

@@ -20,6 +20,14 @@ from tilewright.signals.textures.choices import (
     warn_of_clone,
     warn_of_misfit,
 )
+from tilewright.signals.textures.drafting import (
+    at_full_size,
+    draft_step,
+    in_two_rounds,
+    keep_places,
+    make_draft,
+    reduce_main,
+)
 from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.lone import lone_things_of
 from tilewright.signals.textures.methods import check_method, find_method
@@ -145,21 +153,29 @@ def synthesize(
     toned, held = take_tone(exemplar, size) if treatment.tone else (None, exemplar)
     # Step 3: patches.
     sheet = make_sheet(held)
-    manner = treatment.manner
+    manner, step = treatment.manner, draft_step(size) if treatment.manner.drafted else 1
     lone: list[Spot] = []
     if treatment.bars_lone_things:
-        things, lone = lone_things_of(held, size)
-        manner = replace(manner, lone=sheet.lay(things))
+        things, spots = lone_things_of(reduce_main(held, step), size // step)
+        manner = replace(manner, lone=(sheet if step == 1 else sheet.reduced(step)).lay(things))
+        lone = [(source, y * step, x * step) for source, y, x in spots]
     ledger = Ledger(
         {name: to_sheet(sheet, name, spot) for name, spot in pick.items()},
         {name: [to_sheet(sheet, name, s) for s in spots] for name, spots in reject.items()},
     )
     rng = np.random.default_rng(seed)
+    period, picked = treatment.period(regularity), ledger.picked
     with ThreadPoolExecutor(workers) as pool:
         lay, total = find_method(method, tiles, len(exemplar.sources), variants)
-        search = PatchSearch(
-            sheet, size, ledger, treatment.period(regularity), pool, progress, total, rng, manner
-        )
+        if step > 1:
+            draft = make_draft(sheet, size, manner, ledger, period, step)
+            first, progress = (in_two_rounds(progress, second) for second in (False, True))
+            search = PatchSearch(
+                *draft[:2], draft.ledger, draft.period, pool, first, total, rng, draft.manner
+            )
+            lay(search, rng)
+            ledger, manner = keep_places(draft, ledger, step), at_full_size(manner)
+        search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, manner, step > 1)
         canvas = lay(search, rng)
     unknown = (set(ledger.picked) | set(ledger.rejected)) - set(ledger.laid)
     if unknown:
@@ -173,7 +189,7 @@ def synthesize(
         size,
         exemplar.weights,
         {name: to_source(sheet, place) for name, place in ledger.laid.items()},
-        {name: to_source(sheet, place) for name, place in ledger.picked.items()},
+        {name: to_source(sheet, place) for name, place in picked.items()},
         {n: [to_source(sheet, p) for p in ps] for n, ps in ledger.rejected.items()},
         variants,
         treatment.tone,
