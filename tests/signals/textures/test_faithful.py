@@ -129,3 +129,22 @@ def test_large_tiles_are_drafted_and_cut_at_full_size(gravel):
     again = tw.resynthesize(made, threads=1)
     assert np.array_equal(again.origins, made.origins)
     assert cut_line_ratio(lay_sample(made)) < 1.12  # of two tiles: 1.02 to 1.08 by seed, drafted or not
+
+
+def test_picks_of_large_tiles_are_told_in_pixels_of_the_photograph(gravel):
+    options = {"method": "faithful", "tile_size": 256, "tone": False}
+    tiles = tw.classed_corner_tiles(1, 2)
+    # A place that squares of two pixels at the border leave no room for is one all the same.
+    made = tw.texture_tiles(gravel, tiles, pick={"center:0": (0, 1, 1), "corner:0": (0, 157, 200)}, **options)
+    assert made.recipe["patches"]["center:0"] == [0, 1, 1]
+    assert made.recipe["patches"]["corner:0"] == [0, 157, 200]
+    for pick, message in (
+        ({"center:0": (0, 0, 1)}, "center:0 does not leave room for a tile of 256 pixels"),
+        ({"corner:0": (0, 156, 200)}, "corner:0 is nearer than 156 pixels"),
+    ):
+        with pytest.raises(TilewrightValueError, match=message):
+            tw.texture_tiles(gravel, tiles, pick=pick, **options)
+    speck = np.ones((512, 512), bool)
+    speck[::100, ::100] = False
+    with pytest.raises(TilewrightValueError, match="too small for tiles of 256 pixels"):
+        tw.texture_tiles(gravel, tiles, mask=speck, **options)

@@ -16,6 +16,8 @@ MOST_PIXELS = 2**28
 """Of all tiles together: about 5 GB of memory while they are made."""
 _SECONDS = 0.15
 """What a tile of 128 x 128 pixels takes on two cores."""
+_DRAFTED = 0.35
+"""Share of that for tiles whose places are found at a smaller scale."""
 
 
 def check_choices(
@@ -79,14 +81,14 @@ def warn_of_misfit(regularity: Regularity, size: int) -> None:
         )
 
 
-def check_cost(count: int, size: int) -> None:
+def check_cost(count: int, size: int, drafted: bool) -> None:
     """Refuse what cannot be held, and say what will take long."""
     if count * size * size > MOST_PIXELS:
         raise TilewrightValueError(
             f"{count} tiles of {size} x {size} pixels are {count * size * size} pixels; allowed are "
             f"{MOST_PIXELS}: choose fewer colors or a smaller tile size"
         )
-    minutes = count * _SECONDS * (size / 128) ** 2 / 60
+    minutes = count * _SECONDS * (size / 128) ** 2 * (_DRAFTED if drafted and size > 128 else 1) / 60
     if minutes > 2:
         warnings.warn(
             f"{count} tiles of {size} x {size} pixels take about {minutes:.0f} minutes on two cores",

@@ -140,15 +140,8 @@ def _candidates(search: PatchSearch, plan: Plan, overlap: int, rng: np.random.Ge
     samples = {s: _sample(search, s, overlap, rng) for s in sorted(set(plan.corner_sources))}
     named = {c: search.ledger.picked.get(f"corner:{c}") for c in range(len(plan.corner_sources))}
     picked = {c: place for c, place in named.items() if place is not None}
-    for corner, (y, x) in picked.items():
-        reach = search.size // 2 + overlap
-        inside = search.matcher.places_of_size(2 * reach, range(len(search.sheet.tops)))
-        y, x = y - reach, x - reach
-        if not (0 <= y < inside.shape[0] and 0 <= x < inside.shape[1] and inside[y, x]):
-            raise TilewrightValueError(
-                f"the place picked for corner:{corner} is nearer than {reach} pixels to the border of its "
-                "source or mask"
-            )
+    for corner in picked:
+        check_picked_corner(search, f"corner:{corner}", search.size // 2 + overlap)
     rows = np.concatenate([p[0] for p in samples.values()] + [np.array([p[0] for p in picked.values()], int)])
     columns = np.concatenate(
         [p[1] for p in samples.values()] + [np.array([p[1] for p in picked.values()], int)]
@@ -161,6 +154,15 @@ def _candidates(search: PatchSearch, plan: Plan, overlap: int, rng: np.random.Ge
             free[corner] &= (rows - y) ** 2 + (columns - x) ** 2 >= (search.size / 4) ** 2
     first = len(rows) - len(picked)
     return _Candidates(rows, columns, free, {c: first + n for n, c in enumerate(picked)})
+
+
+def check_picked_corner(search: PatchSearch, name: str, reach: int) -> None:
+    """Refuse a place picked for a corner patch that has not ``reach`` pixels around it."""
+    y, x = search.ledger.picked[name]
+    if not search.matcher.holds(y - reach, x - reach, 2 * reach):
+        raise TilewrightValueError(
+            f"the place picked for {name} is nearer than {reach} pixels to the border of its source or mask"
+        )
 
 
 def _next_corner(

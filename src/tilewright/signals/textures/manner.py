@@ -26,9 +26,7 @@ class Manner:
         What every older pixel costs that a patch leaves, in steps between neighboring pixels.
     jointly : bool
         Whether corner patches are chosen for the pairs that can meet, each again and again, or one after
-        another for all pairs.
-    drafted : bool
-        Whether candidates are cut at a smaller scale first on canvases of `DRAFT` pixels too.
+        another for all pairs. Candidates are then drafted, too: see ``search.py``.
     rhythm : (Rhythm or None, Rhythm or None)
         Courses of rows and of columns that patches keep in step with.
     lone : bool array, shape of the sheet, or None
@@ -41,7 +39,6 @@ class Manner:
     popping: float = 0.0
     recurrence: float = 0.17
     jointly: bool = False
-    drafted: bool = False
     rhythm: tuple[Rhythm | None, Rhythm | None] = (None, None)
     lone: NDArray[np.bool_] | None = None
 

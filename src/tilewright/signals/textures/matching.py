@@ -60,6 +60,15 @@ class Matcher:
             self._places[key] = (total[n:, n:] - total[:-n, n:] - total[n:, :-n] + total[:-n, :-n]) == 0
         return self._places[key]
 
+    def holds(self, y: int, x: int, n: int) -> bool:
+        """Whether one of the `places_of_size` is (y, x)."""
+        window = self.sheet.usable[max(y, 0) : max(y + n, 0), max(x, 0) : max(x + n, 0)]
+        within = (
+            top < y and y + n < top + h and x > 0 and x + n < w
+            for top, (h, w) in zip(self.sheet.tops, self.sheet.sizes, strict=True)
+        )
+        return any(within) and bool(window.all())
+
     def inside(self, block: int) -> tuple[slice, slice]:
         """The places whose windows lie in a block."""
         top, left, height, width = self.blocks[block]

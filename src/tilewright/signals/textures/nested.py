@@ -45,7 +45,7 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, varian
     """All variants of all tiles of a plan, stacked: coordinates of shape (T variants, size, size)."""
     frame = Frame(search.size)
     choose = choose_meeting_corners if search.manner.jointly else choose_corners
-    corners = choose(search, plan, round(OVERLAP * search.size), rng)
+    corners = choose(search, plan, corner_reach(search.size) - search.size // 2, rng)
     edges: list[Patchwork] = []
     edge_places: list[list[Place]] = []
     for edge in plan.edges:
@@ -64,6 +64,11 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, varian
         shown = shown_in_tile(frame, plan, tile, corners, edge_places)
         openings.append(center_opening(search, frame, canvas, plan.sources_of_tile(tile), shown))
     return lay_centers(search, openings, variants)
+
+
+def corner_reach(size: int) -> int:
+    """Pixels of the photograph that a corner patch needs around its lattice point."""
+    return size // 2 + round(OVERLAP * size)
 
 
 def lay_centers(search: PatchSearch, openings: Sequence[Opening], variants: int) -> Patchwork:

@@ -30,8 +30,8 @@ FURTHER_CANDIDATES = 0.75
 SMALL, FINALISTS = 128, 3
 """Pixels along a canvas above which candidates are cut at a smaller scale first, and how many then stay."""
 DRAFT, BEST_DRAFTS = 96, 2
-"""The same where candidates are drafted: all are then cut at half size at the least. With one left cuts were
-1 % dearer; with cuts in a band of 6 pixels around their drafts 4 %."""
+"""The same for the default, at half size or less. With one left cuts were 1 % dearer; with cuts in a band of
+6 pixels around their drafts 4 %."""
 DRAFTED_AT, BAND = 128, 4
 """Pixels along a canvas at which it is cut first where places are known, and how many of these the cut may
 move then. For 80 tiles of 512 pixels this takes a third of the time of cuts anywhere."""
@@ -166,11 +166,10 @@ class PatchSearch:
         total: int,
         rng: np.random.Generator,
         manner: Manner = NESTED,
-        places_known: bool = False,
     ) -> None:
         self.sheet = sheet
         self.manner = manner
-        self.places_known = places_known
+        self.places_known = False
         self.size = size
         self.ledger = ledger
         self.period = period
@@ -178,17 +177,21 @@ class PatchSearch:
         self.progress = progress
         self.total = total
         self.rng = rng
-        least, along, self.finalists = (2, DRAFT, BEST_DRAFTS) if manner.drafted else (1, SMALL, FINALISTS)
         self.full = Scale(sheet, size, 1)
-        self._small_step = max(1, size // DRAFTED_AT) if places_known else max(least, size // along)
         self.matcher = Matcher(sheet, size, TONE_SIGMA * size)
         self.used = np.zeros(sheet.usable.shape, np.float32)
         self.bars = Bars(sheet, size, manner)
 
     @cached_property
     def small(self) -> Scale:
-        """What large canvases are cut at first."""
-        return Scale(self.sheet, self.size, self._small_step)
+        """What large canvases are cut at first; the full scale for others."""
+        if self.places_known:
+            step = self.size // DRAFTED_AT
+        elif self.manner.jointly:
+            step = max(2, self.size // DRAFT) if self.size > DRAFT else 1
+        else:
+            step = self.size // SMALL
+        return Scale(self.sheet, self.size, step) if step > 1 else self.full
 
     @cached_property
     def conspicuous(self) -> NDArray[np.float32]:
@@ -223,11 +226,10 @@ class PatchSearch:
             )
         # Step 2: cut each of them in; the least cut, counted with the promise, wins. Large canvases are cut
         # on a small scale first, and only the best of those at full size.
-        if self._small_step > 1 and len(promise) > 1:
-            promise = {
-                cut.place: promise[cut.place]
-                for cut in self._cut_all(self.small, opening, promise)[: self.finalists]
-            }
+        if len(promise) > 1 and self.small.step > 1:
+            best = self._cut_all(self.small, opening, promise)
+            finalists = best[: BEST_DRAFTS if self.manner.jointly else FINALISTS]
+            promise = {cut.place: promise[cut.place] for cut in finalists}
         if self.places_known:
             (place,) = promise
             where = self.cut(opening, place)
@@ -332,8 +334,7 @@ class PatchSearch:
     def checked_pick(self, name: str) -> Place:
         """The place picked for a patch, if a window fits there."""
         y, x = self.ledger.picked[name]
-        places = self.matcher.places(range(len(self.sheet.tops)))
-        if not (0 <= y < places.shape[0] and 0 <= x < places.shape[1] and places[y, x]):
+        if not self.matcher.holds(y, x, self.size):
             raise TilewrightValueError(
                 f"the place picked for {name} does not leave room for a tile of {self.size} pixels "
                 "inside its source and mask"

@@ -20,14 +20,7 @@ from tilewright.signals.textures.choices import (
     warn_of_clone,
     warn_of_misfit,
 )
-from tilewright.signals.textures.drafting import (
-    at_full_size,
-    draft_step,
-    in_two_rounds,
-    keep_places,
-    make_draft,
-    reduce_main,
-)
+from tilewright.signals.textures.drafting import draft_step, know_places, reduce_main
 from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.lone import lone_things_of
 from tilewright.signals.textures.methods import check_method, find_method
@@ -148,34 +141,30 @@ def synthesize(
         warn_of_misfit(regularity, treatment.tile_size)
     tiles, size = treatment.tiles, treatment.tile_size
     warn_of_clone(regularity)
-    check_cost(len(tiles) * variants, size)
+    check_cost(len(tiles) * variants, size, treatment.manner.jointly)
     # Step 2: tone apart from what the tiles hold.
     toned, held = take_tone(exemplar, size) if treatment.tone else (None, exemplar)
     # Step 3: patches.
     sheet = make_sheet(held)
-    manner, step = treatment.manner, draft_step(size) if treatment.manner.drafted else 1
+    # Places of large tiles are found where several pixels are seen as one.
+    manner, step = treatment.manner, draft_step(held, size) if treatment.manner.jointly else 1
+    seen = sheet if step == 1 else sheet.reduced(step)
     lone: list[Spot] = []
     if treatment.bars_lone_things:
         things, spots = lone_things_of(reduce_main(held, step), size // step)
-        manner = replace(manner, lone=(sheet if step == 1 else sheet.reduced(step)).lay(things))
+        manner = replace(manner, lone=seen.lay(things))
         lone = [(source, y * step, x * step) for source, y, x in spots]
     ledger = Ledger(
         {name: to_sheet(sheet, name, spot) for name, spot in pick.items()},
         {name: [to_sheet(sheet, name, s) for s in spots] for name, spots in reject.items()},
     )
-    rng = np.random.default_rng(seed)
-    period, picked = treatment.period(regularity), ledger.picked
+    picked, period, rng = dict(ledger.picked), treatment.period(regularity), np.random.default_rng(seed)
     with ThreadPoolExecutor(workers) as pool:
         lay, total = find_method(method, tiles, len(exemplar.sources), variants)
+        own = manner if step == 1 else treatment.manner
+        search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, own)
         if step > 1:
-            draft = make_draft(sheet, size, manner, ledger, period, step)
-            first, progress = (in_two_rounds(progress, second) for second in (False, True))
-            search = PatchSearch(
-                *draft[:2], draft.ledger, draft.period, pool, first, total, rng, draft.manner
-            )
-            lay(search, rng)
-            ledger, manner = keep_places(draft, ledger, step), at_full_size(manner)
-        search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, manner, step > 1)
+            know_places(search, manner, seen, step, lay)
         canvas = lay(search, rng)
     unknown = (set(ledger.picked) | set(ledger.rejected)) - set(ledger.laid)
     if unknown:

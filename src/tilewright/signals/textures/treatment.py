@@ -99,13 +99,13 @@ def find_treatment(
         both = all(rhythm)
         size = tile_size or _size_of_courses(rhythm, usual if both else round(LARGER * usual))
         plainness = (0.0, 0.0, 0.0) if both else (1.0, 0.7, 0.3)
-        manner = Manner(CANDIDATES, EXCLUSION, plainness, 0.0, 0.17, True, True, rhythm)
+        manner = Manner(CANDIDATES, EXCLUSION, plainness, 0.0, 0.17, True, rhythm)
         return Treatment("courses", tiles or classed_corner_tiles(2, 5 if both else 2), size, tone, manner)
     if character.has_things and not tone:
         size = tile_size or 2 * round(LARGER * usual / 2)
-        manner = Manner(CANDIDATES, EXCLUSION, (0.5, 0.3, 0.15), 0.0, 0.08, True, True)
+        manner = Manner(CANDIDATES, EXCLUSION, (0.5, 0.3, 0.15), 0.0, 0.08, True)
         return Treatment("things", tiles or classed_corner_tiles(2, 2), size, tone, manner)
-    manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, 0.17, True, True)
+    manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, 0.17, True)
     return Treatment("even", tiles or classed_corner_tiles(2, 5), tile_size or usual, tone, manner)
 
 
