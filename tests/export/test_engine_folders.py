@@ -36,6 +36,13 @@ def folders(material, tmp_path_factory):
     return top
 
 
+@pytest.fixture(scope="module")
+def clouded():
+    """Tiles in classes whose color has tone."""
+    made = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 16), 2)
+    return dataclasses.replace(made, kinds={"map0": "color"})
+
+
 @pytest.mark.parametrize("target", TARGETS)
 def test_a_folder_holds_what_it_says(target, folders, material):
     folder = folders / target
@@ -180,26 +187,28 @@ def test_the_atlas_and_its_places(folders, material):
             np.testing.assert_array_equal(atlas[16 * y : 16 * y + 16, 16 * x : 16 * x + 16], tile)
 
 
-def test_unity_imports_every_texel(folders, material, tmp_path):
+@pytest.fixture
+def import_in_unity(tmp_path):
+    """Run the importer of a folder on one of its files, with a stand-in for Unity; the lines it says."""
     if not (shutil.which("mcs") and shutil.which("mono")):
         pytest.skip("Mono's compiler (Debian: mono-mcs) is not installed")
-    program = tmp_path / "import.exe"
-    sources = [
-        Path(__file__).parents[1] / "helpers" / "unity_stand_in.cs",
-        folders / "unity/Editor/TilewrightImporter.cs",
-    ]
-    subprocess.run(
-        ["mcs", "-warnaserror+", "-nowarn:0162,0429", "-langversion:7", f"-out:{program}", *sources],
-        check=True,
-    )
+    program, stand_in = tmp_path / "import.exe", Path(__file__).parents[1] / "helpers" / "unity_stand_in.cs"
+    compile_ = ["mcs", "-warnaserror+", "-nowarn:0162,0429", "-langversion:7", f"-out:{program}", stand_in]
+
+    def run(folder, file):
+        subprocess.run([*compile_, folder / "Editor/TilewrightImporter.cs"], check=True)
+        done = subprocess.run(["mono", program, folder / file], check=True, capture_output=True, text=True)
+        return done.stdout.splitlines()
+
+    return run
+
+
+def test_unity_imports_every_texel(folders, material, import_in_unity):
     kit = prepare(material, 7)
     facts = json.loads((folders / "unity" / "tilewright.json").read_text())
     formats = {"base color": "R8G8B8A8_SRGB", "roughness": "R8_UNorm", "emissive": "R16G16B16A16_SFloat"}
     for name, format in formats.items():
-        file = folders / "unity" / facts["maps"][name]["file"]
-        said = subprocess.run(
-            ["mono", program, file], check=True, capture_output=True, text=True
-        ).stdout.splitlines()
+        said = import_in_unity(folders / "unity", facts["maps"][name]["file"])
         levels = kit.levels(name)[0]
         assert said[:2] == ["Clamp Trilinear", f"2DArray 20 20 16 {format} 5"]
         expected = [
@@ -210,27 +219,13 @@ def test_unity_imports_every_texel(folders, material, tmp_path):
         assert said[2:] == expected
 
 
-def test_unity_imports_tone_as_a_picture(tmp_path):
-    if not (shutil.which("mcs") and shutil.which("mono")):
-        pytest.skip("Mono's compiler (Debian: mono-mcs) is not installed")
-    material = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 16), 1)
-    save_for_engine(material, tmp_path / "unity", "unity")
-    program = tmp_path / "import.exe"
-    sources = [
-        Path(__file__).parents[1] / "helpers" / "unity_stand_in.cs",
-        tmp_path / "unity/Editor/TilewrightImporter.cs",
-    ]
-    subprocess.run(
-        ["mcs", "-warnaserror+", "-nowarn:0162,0429", "-langversion:7", f"-out:{program}", *sources],
-        check=True,
-    )
-    for file, head in (
-        ("map0.twdds", "2DArray 20 20 80 R8G8B8A8_SRGB 5"),
-        ("map0_tone.twdds", "2D 26 20 1 R16G16B16A16_SFloat 5"),
-    ):
-        command = ["mono", program, tmp_path / "unity" / file]
-        said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-        assert said.splitlines()[:2] == ["Clamp Trilinear", head]
+def test_unity_imports_tone_as_a_picture(clouded, import_in_unity, tmp_path):
+    folder = tmp_path / "unity"
+    save_for_engine(clouded, folder, "unity")
+    said = import_in_unity(folder, "map0.twdds")
+    assert said[:2] == ["Clamp Trilinear", "2DArray 20 20 80 R8G8B8A8_SRGB 5"]
+    said = import_in_unity(folder, "map0_tone.twdds")
+    assert said[:2] == ["Clamp Trilinear", "2D 26 20 1 R16G16B16A16_SFloat 5"]
 
 
 def _sum(data):
@@ -290,10 +285,8 @@ def test_the_surface_shader_of_unity_compiles(colors, tmp_path):
     assert body.count("SAMPLE_TEXTURE2D") == 6
 
 
-def test_the_surface_shader_of_unity_lays_the_tone(tmp_path):
-    material = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 16), 1)
-    material = dataclasses.replace(material, kinds={"map0": "color"})
-    save_for_engine(material, tmp_path / "unity", "unity")
+def test_the_surface_shader_of_unity_lays_the_tone(clouded, tmp_path):
+    save_for_engine(clouded, tmp_path / "unity", "unity")
     include = (tmp_path / "unity" / "Tilewright.hlsl").read_text()
     shader = (tmp_path / "unity" / "Tilewright.shader").read_text()
     body = re.search(r"HLSLPROGRAM(.*?)ENDHLSL", shader, re.DOTALL)[1]
@@ -349,13 +342,6 @@ def test_the_script_for_unreal_lays_the_tone(clouded, tmp_path, monkeypatch):
     into = {pin: source for source, _, node, pin in wires if node is tone}
     assert into.keys() == {"Position", "Origin", "Color", "Tone"}
     assert into["Position"] is next(s for s, _, node, pin in wires if node is place and pin == "Position")
-
-
-@pytest.fixture(scope="module")
-def clouded():
-    """Tiles in classes whose color has tone."""
-    made = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 16), 2)
-    return dataclasses.replace(made, kinds={"map0": "color"})
 
 
 @pytest.mark.parametrize("target", TARGETS)

@@ -75,54 +75,22 @@ def with_variants(colors, count):
     return handmade(tiles, 16, variants=tw.Variants.uniform(tiles, count))
 
 
+def under_one_sky(tiles):
+    return under_clouds(handmade(tiles, 32), 2)
+
+
+def least_off(material, drawn, place):
+    """A drawing against the field: equal, but for tone, which is laid in floats."""
+    field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
+    off = np.abs(np.rint(255 * drawn) - field.render(*place, *drawn.shape[1::-1]))
+    assert off.max() <= (0 if material.tone is None else 2)
+    assert off.mean() < 0.4
+
+
 def test_the_osl_shader_draws_the_pixels_of_the_field(in_blender, tmp_path):
     made = [handmade(tw.corner_tiles(colors), 16) for colors in (2, 5)]
     made += [with_variants(2, 3), with_variants(3, 2)]
-    origins = [(0, 0), (-300, 77)]
-    jobs = []
-    for n, material in enumerate(made):
-        folder = tmp_path / str(n)
-        save_for_engine(material, folder, "osl", seed=7)
-        files = {"osl": str(folder / "tilewright.osl"), "map": str(folder / "map0.tx")}
-        jobs.append({**files, "output": "Color", "origins": origins, "pixels": 128, "tiles": 8})
-    for material, answers in zip(made, in_blender(jobs), strict=True):
-        field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
-        for (x, y), drawn in zip(origins, answers, strict=True):
-            np.testing.assert_array_equal(np.rint(255 * drawn), field.render(16 * x, 16 * y, 128, 128))
-
-
-def test_blender_renders_the_pixels_of_the_field(in_blender, tmp_path):
-    made = [*(handmade(tw.corner_tiles(colors), 16) for colors in (2, 3, 6)), with_variants(2, 3)]
-    jobs = []
-    for n, material in enumerate(made):
-        save_for_engine(material, tmp_path / str(n), "blender", seed=7)
-        jobs.append({"material": str(tmp_path / str(n) / "material.py"), "pixels": 128, "tiles": 8})
-    for material, drawn in zip(made, in_blender(jobs), strict=True):
-        field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
-        np.testing.assert_array_equal(np.rint(255 * drawn), field.render(0, -128, 128, 128))
-
-
-def clouded(classed):
-    """Tiles in classes, which lie in a grid, or in an atlas, under clouds."""
-    return under_clouds(handmade(tw.classed_corner_tiles(2, 5) if classed else tw.corner_tiles(2), 32), 2)
-
-
-def test_blender_lays_the_tone_over_tiles_in_classes(in_blender, tmp_path):
-    made = [handmade(tw.classed_corner_tiles(2, 5)), clouded(True), clouded(False)]
-    jobs = []
-    for n, material in enumerate(made):
-        save_for_engine(material, tmp_path / str(n), "blender", seed=7)
-        tiles = 128 // material.tile_size
-        jobs.append({"material": str(tmp_path / str(n) / "material.py"), "pixels": 128, "tiles": tiles})
-    for material, drawn in zip(made, in_blender(jobs), strict=True):
-        field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
-        off = np.abs(np.rint(255 * drawn) - field.render(0, -128, 128, 128))
-        assert off.max() <= (0 if material.tone is None else 2)
-        assert off.mean() < 0.4
-
-
-def test_open_shading_language_lays_the_tone(in_blender, tmp_path):
-    made = [clouded(True), clouded(False)]
+    made += [under_one_sky(tiles) for tiles in (tw.corner_tiles(2), tw.classed_corner_tiles(2, 5))]
     origins = [(0, 0), (-300, 77)]
     jobs = []
     for n, material in enumerate(made):
@@ -130,15 +98,27 @@ def test_open_shading_language_lays_the_tone(in_blender, tmp_path):
         save_for_engine(material, folder, "osl", seed=7)
         shader = (folder / "tilewright.osl").read_text()
         told = shader.replace('string Tone = ""', f'string Tone = "{folder}/map0_tone.tx"')
+        assert (told == shader) == (material.tone is None)
         (folder / "tilewright.osl").write_text(told)
         files = {"osl": str(folder / "tilewright.osl"), "map": str(folder / "map0.tx")}
-        jobs.append({**files, "output": "Color", "origins": origins, "pixels": 128, "tiles": 4})
+        tiles = 128 // material.tile_size
+        jobs.append({**files, "output": "Color", "origins": origins, "pixels": 128, "tiles": tiles})
     for material, answers in zip(made, in_blender(jobs), strict=True):
-        field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
         for (x, y), drawn in zip(origins, answers, strict=True):
-            off = np.abs(np.rint(255 * drawn) - field.render(32 * x, 32 * y, 128, 128))
-            assert off.max() <= 2
-            assert off.mean() < 0.4
+            least_off(material, drawn, (material.tile_size * x, material.tile_size * y))
+
+
+def test_blender_renders_the_pixels_of_the_field(in_blender, tmp_path):
+    made = [*(handmade(tw.corner_tiles(colors), 16) for colors in (2, 3, 6)), with_variants(2, 3)]
+    made += [handmade(tw.classed_corner_tiles(2, 5)), under_one_sky(tw.classed_corner_tiles(2, 5))]
+    made += [under_one_sky(tw.corner_tiles(2))]
+    jobs = []
+    for n, material in enumerate(made):
+        save_for_engine(material, tmp_path / str(n), "blender", seed=7)
+        tiles = 128 // material.tile_size
+        jobs.append({"material": str(tmp_path / str(n) / "material.py"), "pixels": 128, "tiles": tiles})
+    for material, drawn in zip(made, in_blender(jobs), strict=True):
+        least_off(material, drawn, (0, -128))
 
 
 def test_blender_wires_every_map(in_blender, tmp_path):
@@ -156,28 +136,20 @@ needs_godot = pytest.mark.skipif(
 
 @needs_godot
 @pytest.mark.browser
-@pytest.mark.parametrize(("colors", "variants"), [(6, 1), (4, 3), ("classed", 1)])
-def test_godot_renders_the_pixels_of_the_field(colors, variants, browser, tmp_path):
-    classed = colors == "classed"
-    material = handmade(tw.classed_corner_tiles(2, 5)) if classed else with_variants(colors, variants)
+@pytest.mark.parametrize("kind", ["six colors", "variants", "classes", "tone"])
+def test_godot_renders_the_pixels_of_the_field(kind, browser, tmp_path):
+    material = {
+        "six colors": lambda: with_variants(6, 1),
+        "variants": lambda: with_variants(4, 3),
+        "classes": lambda: handmade(tw.classed_corner_tiles(2, 5)),
+        "tone": lambda: under_one_sky(tw.classed_corner_tiles(2, 5)),
+    }[kind]()
     save_for_engine(material, tmp_path / "godot", "godot", seed=7)
-    drawn, errors = in_godot.draw(browser, tmp_path / "godot", 8, (-3, -5), 128)
+    size = material.tile_size
+    drawn, errors = in_godot.draw(browser, tmp_path / "godot", 128 // size, (-3, -5), 128)
     field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
     # Godot decodes and encodes sRGB by approximations of its own.
-    difference = np.abs(drawn.astype(int) - field.render(-48, -80, 128, 128))
-    assert difference.max() <= 8
-    assert difference.mean() < 1
-    assert errors == []
-
-
-@needs_godot
-@pytest.mark.browser
-def test_godot_lays_the_tone(browser, tmp_path):
-    material = under_clouds(handmade(tw.classed_corner_tiles(2, 5), 32), 2)
-    save_for_engine(material, tmp_path / "godot", "godot", seed=7)
-    drawn, errors = in_godot.draw(browser, tmp_path / "godot", 4, (-3, -5), 128)
-    field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
-    difference = np.abs(drawn.astype(int) - field.render(-96, -160, 128, 128))
+    difference = np.abs(drawn.astype(int) - field.render(-3 * size, -5 * size, 128, 128))
     assert difference.max() <= 8
     assert difference.mean() < 1
     assert errors == []

@@ -117,35 +117,26 @@ def test_a_dialect_draws_the_pixels_of_the_field(dialect, colors, atlas, device,
         np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 128, 96))
 
 
-@pytest.mark.parametrize(("colors", "classes", "variants"), [(2, 5, 1), (2, 5, 3), (3, 2, 1)])
-@pytest.mark.parametrize("dialect", DRAWN)
-def test_a_dialect_draws_tiles_in_classes(dialect, colors, classes, variants, device, tmp_path):
+# Colors, classes, variants; in an array, and in a grid, where there are more than 256 pictures too.
+CLASSED = [(2, 5, 1), (2, 5, 3), (3, 2, 1), (2, 5, 4)]
+IN_CLASSES = [(d, *c, grid) for d in (*DRAWN, "unreal") for c in CLASSED for grid in (False, True)]
+
+
+@pytest.mark.parametrize(
+    ("dialect", "colors", "classes", "variants", "grid"),
+    [c for c in IN_CLASSES if c[4] or (c[0] != "unreal" and c[3] < 4)],
+)
+def test_a_dialect_draws_tiles_in_classes(dialect, colors, classes, variants, grid, device, tmp_path):
     tiles = tw.classed_corner_tiles(colors, classes)
     material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, variants))
-    kit = prepare(material, 9)
+    kit = prepare(material, 9, atlas=grid and variants < 4)
+    assert kit.form == ("grid" if grid else "array")
     levels, _ = kit.levels("map0")
     field = tw.TextureField(material, tw.direct(tiles, seed=9))
     for cell in ((-5, -3), (1000, -900000), (2**22 + 1, -(2**22)), (-1, 2**22 - 7)):
         texel = (16 * cell[0] + 3, 16 * cell[1] + 5)
         drawn = dialects.draw(
-            device, dialect, include_of(dialect, kit), levels, 16, texel, (64, 48), tmp_path, atlas=False
-        )
-        np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 64, 48))
-
-
-@pytest.mark.parametrize(("colors", "classes", "variants"), [(2, 5, 1), (2, 5, 4), (3, 2, 1)])
-@pytest.mark.parametrize("dialect", [*DRAWN, "unreal"])
-def test_a_dialect_draws_classes_from_a_grid(dialect, colors, classes, variants, device, tmp_path):
-    tiles = tw.classed_corner_tiles(colors, classes)
-    material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, variants))
-    kit = prepare(material, 9, atlas=True)
-    assert kit.form == "grid"
-    levels, _ = kit.levels("map0")
-    field = tw.TextureField(material, tw.direct(tiles, seed=9))
-    for cell in ((-5, -3), (1000, -900000), (2**22 + 1, -(2**22)), (-1, 2**22 - 7)):
-        texel = (16 * cell[0] + 3, 16 * cell[1] + 5)
-        drawn = dialects.draw(
-            device, dialect, include_of(dialect, kit), levels, 16, texel, (64, 48), tmp_path, atlas=True
+            device, dialect, include_of(dialect, kit), levels, 16, texel, (64, 48), tmp_path, atlas=grid
         )
         np.testing.assert_array_equal(drawn[..., :3], field.render(*texel, 64, 48))
 

@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
@@ -11,10 +10,9 @@ from tilewright.gpu.cameras import Camera, Sight
 from tilewright.gpu.device import open_gpu
 from tilewright.gpu.painter import Painter
 from tilewright.gpu.pixels import PixelFormat
-from tilewright.pixels import white
 from tilewright.shaders.hashing import ToneView, shader_hash, view_bytes
 from tilewright.shaders.layouts import check_set, even_variants, make_layout, with_tone
-from tilewright.shaders.mipmaps import Mipmaps
+from tilewright.shaders.mipmaps import Mipmaps, tone_levels
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Tiling
 from tilewright.tilings.algorithms import CLASSED, CORNERS, EDGES
@@ -69,15 +67,13 @@ class GpuField:
         chance = check_tiling(tiling).hash
         hash = shader_hash(chance, counts, even_variants(material), tone=name in toned)
         lookup = make_layout(material, layout, map)
-        tone = None
         if name in toned:
             lookup = with_tone(lookup, material)
-            tone = toned[name] / np.float32(white(material.maps[name].dtype))
         pixels = PixelFormat.of(material.maps[name], material.kinds[name])
         self.material, self.tiling, self.layout = material, tiling, lookup.name
         self.mipmaps: tuple[Mipmaps, ...] = lookup.textures
         self._hash, self._density = hash, lookup.density
-        self._painter = Painter(open_gpu(), lookup, hash, pixels, tone)
+        self._painter = Painter(open_gpu(), lookup, hash, pixels, tone_levels(material, name))
 
     def render(self, camera: Camera) -> NDArray[Any]:
         """Draw what a camera sees.

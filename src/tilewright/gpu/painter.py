@@ -1,6 +1,6 @@
 """Drawing a camera's picture block by block, with one compiled shader and its textures."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,6 @@ from tilewright.gpu.pixels import PixelFormat
 from tilewright.shaders.assembly import VERTEX, assemble, read_part
 from tilewright.shaders.hashing import VIEW_BYTES, ShaderHash
 from tilewright.shaders.layouts import Layout
-from tilewright.shaders.mipmaps import tone_levels
 
 TONE = 5
 """Binding of the picture of tone; its sampler comes after it."""
@@ -31,7 +30,7 @@ class Painter:
         layout: Layout,
         hash: ShaderHash | None,
         pixels: PixelFormat,
-        tone: NDArray[np.float32] | None = None,
+        tone: Sequence[NDArray[np.float16]] = (),
     ) -> None:
         check_fits(layout, gpu)
         if pixels.target_dtype == np.float32 and not gpu.filters_floats:
@@ -50,9 +49,9 @@ class Painter:
         for binding, mips in enumerate(layout.textures, 3):
             levels = [pixels.upload(level) for level in mips.levels]
             resources[binding] = gpu.texture(levels, pixels.texture, layered=layout.layered)
-        if tone is not None:
-            halves = [level[np.newaxis].astype(np.float16) for level in tone_levels(tone)]
-            resources[TONE] = gpu.texture(halves, "rgba16float", layered=False)
+        if tone:
+            levels = [level[np.newaxis] for level in tone]
+            resources[TONE] = gpu.texture(levels, "rgba16float", layered=False)
             resources[TONE + 1] = gpu.sampler("mirror-repeat", "trilinear")
         self._groups = {
             filtering: gpu.bind(self._program, resources | {1: gpu.sampler(layout.address, filtering)})

@@ -324,10 +324,8 @@ def move_interiors(frame, r, cusp, distance, moves, sweeps, inner, inner_counts,
     per_tile = len(inner) // len(frame.items)
     for m in numba.prange(len(inner)):
         points = np.empty((frame.points.shape[1] * 8 + inner.shape[1], 2))
-        open = np.zeros(16, np.bool_)
-        open[3] = True
         fixed = assemble(m // per_tile, frame, points)
-        torus = Torus(2, 2, r, cusp, open)
+        torus = open_interior(r, cusp)
         n = inner_counts[m]
         for s in range(n):
             points[fixed + s, 0], points[fixed + s, 1] = inner[m, s, 0], inner[m, s, 1]

@@ -89,7 +89,7 @@ def lookup(
     gutter: int | None,
     variants: int = 1,
     classes: int = 1,
-    grid: ToneGrid | None = None,
+    tone: ToneGrid | None = None,
     columns: int | None = None,
 ) -> str:
     """The lookup in a shader dialect, as the text of an include file.
@@ -110,8 +110,8 @@ def lookup(
         Pictures of every tile, all drawn alike, 1 to 256: layers one after another, or packings from west to
         east in the atlas.
     classes : int
-        Classes of `tilewright.classed_corner_tiles`, in a texture array; 1 for complete sets.
-    grid : ToneGrid, optional
+        Classes of `tilewright.classed_corner_tiles`, with ``gutter``; 1 for complete sets.
+    tone : ToneGrid, optional
         Where tone lies outside the tiles.
     columns : int, optional
         Of the grid that layers with gutters lie in, where they are no texture array.
@@ -119,13 +119,13 @@ def lookup(
     part = DIALECTS[check_choice("dialect", dialect, tuple(DIALECTS))]
     check_int("colors", colors, 1, MOST_COLORS)
     check_int("variants", variants, 1, MOST_SHADED)
-    values = numbers(colors, seed, tile_size, gutter, variants, classes, grid, columns)
+    values = numbers(colors, seed, tile_size, gutter, variants, classes, tone, columns)
     if variants > 1 and gutter is None:
         kind = _PAIRS[dialect]
         values |= {"scale": f"{kind}({values['scale_x']}, {values['scale_y']})", "scale_type": kind}
     functions = _fill("functions.hlsl", **values)
-    tone = _fill(_TONED[dialect], **values) if grid else ""
-    return _fill(part, **values, functions=functions, tone=tone)
+    laid = _fill(_TONED[dialect], **values) if tone else ""
+    return _fill(part, **values, functions=functions, tone=laid)
 
 
 def _fill(part: str, **values: str | bool) -> str:
@@ -139,7 +139,7 @@ def numbers(
     gutter: int | None,
     variants: int = 1,
     classes: int = 1,
-    grid: ToneGrid | None = None,
+    tone: ToneGrid | None = None,
     columns: int | None = None,
 ) -> dict[str, str | bool]:
     """What the templates of the dialects are filled with."""
@@ -158,7 +158,6 @@ def numbers(
         "array": layers and columns is None,
         "grid": columns is not None,
         "atlas": not layers,
-        "flat": not layers or columns is not None,
         "odd": not layers and not even,
         "two": not layers and colors == 2,
         "even": not layers and even and colors > 2,
@@ -175,16 +174,15 @@ def numbers(
         "gutter": real((gutter or 0) / texels),
         "variants": str(variants),
         "several": variants > 1,
-        "single": variants == 1,
         "classed": classes > 1,
         "classes": str(classes),
         "step": str(class_step(classes) if classes > 1 else 0),
         # Of negative numbers, whose words are 2^32 higher: what makes their remainder right.
         "below": str(-(2**32) % classes),
         "tiles": str(colors**4),
-        "toned": grid is not None,
-        "span": str(grid.span if grid else 0),
-        "tone_texels": real(grid.texels if grid else 0),
+        "toned": tone is not None,
+        "span": str(tone.span if tone else 0),
+        "tone_texels": real(tone.texels if tone else 0),
     }
     for n, multiplier in enumerate(MULTIPLIERS):
         named[f"m{n}"], named[f"m{n}s"] = f"0x{multiplier:08x}", str(signed(multiplier))

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.pixels import without_alpha
+from tilewright.pixels import white, without_alpha
 from tilewright.signals.textures.kinds import Values, from_values, is_normal, to_values
 from tilewright.signals.textures.sharing import Rim, Shared, with_gutters
 from tilewright.signals.textures.texture_tiles import TextureTiles
@@ -73,18 +73,32 @@ def layer_mipmaps(material: TextureTiles, map: str | None = None) -> Mipmaps:
         )
     gutter = layer_gutter(material.tile_size)
 
-    def values(name: str) -> Iterator[tuple[Values, bool]]:
-        kind = material.kinds[name]
-        level = to_values(with_gutters(material.maps[name], gutter, shared), kind)
-        while True:
-            rim = Rim.of_layer(level.shape[1], material.tile_size, gutter)
-            yield shared.settle(level, rim)
-            if level.shape[1] == 1:
-                return
-            level = _halve(level)
-
     base = with_gutters(material.maps[name], gutter, shared)
-    return _encode(material, name, base, values, gutter)
+    return _encode(material, name, base, lambda name: _layer_values(material, name, gutter, shared), gutter)
+
+
+def _layer_values(
+    material: TextureTiles, name: str, gutter: int, shared: Shared
+) -> Iterator[tuple[Values, bool]]:
+    """Values of a map's layers with gutters, level by level, and whether those at borders are plain means."""
+    level = to_values(with_gutters(material.maps[name], gutter, shared), material.kinds[name])
+    while True:
+        yield shared.settle(level, Rim.of_layer(level.shape[1], material.tile_size, gutter))
+        if level.shape[1] == 1:
+            return
+        level = _halve(level)
+
+
+def _beside(levels: Iterator[tuple[Values, bool]], cells: NDArray[Any]) -> Iterator[tuple[Values, bool]]:
+    """Levels of pictures side by side, as long as these halve; then levels of the whole."""
+    for level, same in levels:
+        picture = _lay(level, cells)
+        yield picture, same
+        if level.shape[1] % 2:
+            break
+    while max(picture.shape[1:3]) > 1:
+        picture = _halve(picture)
+        yield picture, False
 
 
 def layer_gutter(size: int) -> int:
@@ -125,17 +139,11 @@ def atlas_mipmaps(material: TextureTiles, cells: NDArray[Any], map: str | None =
     def values(name: str) -> Iterator[tuple[Values, bool]]:
         tiles = to_values(material.maps[name], material.kinds[name])
         while True:
-            settled, same = shared.settle(tiles, Rim(tiles.shape[1], 0, None))
-            picture = _lay(settled, cells)
-            yield picture, same
-            if tiles.shape[1] % 2:
-                break
+            yield shared.settle(tiles, Rim(tiles.shape[1], 0, None))
             tiles = _halve(tiles)
-        while max(picture.shape[1:3]) > 1:
-            picture = _halve(picture)
-            yield picture, False
 
-    return _encode(material, name, _lay(material.maps[name], cells), values, 0)
+    base = _lay(material.maps[name], cells)
+    return _encode(material, name, base, lambda name: _beside(values(name), cells), 0)
 
 
 def grid_mipmaps(material: TextureTiles, map: str | None = None) -> Mipmaps:
@@ -157,17 +165,7 @@ def grid_mipmaps(material: TextureTiles, map: str | None = None) -> Mipmaps:
     cells = np.arange(side**2).reshape(side, side) % len(material.variants)
 
     def values(name: str) -> Iterator[tuple[Values, bool]]:
-        level = to_values(with_gutters(material.maps[name], gutter, shared), material.kinds[name])
-        while True:
-            settled, same = shared.settle(level, Rim.of_layer(level.shape[1], material.tile_size, gutter))
-            picture = _lay(settled, cells)
-            yield picture, same
-            if level.shape[1] % 2:
-                break
-            level = _halve(level)
-        while max(picture.shape[1:3]) > 1:
-            picture = _halve(picture)
-            yield picture, False
+        return _beside(_layer_values(material, name, gutter, shared), cells)
 
     base = _lay(with_gutters(material.maps[name], gutter, shared), cells)
     return _encode(material, name, base, values, gutter)
@@ -178,15 +176,24 @@ def grid_side(pictures: int) -> int:
     return isqrt(pictures - 1) + 1
 
 
-def tone_levels(tone: NDArray[np.float32]) -> list[NDArray[np.float32]]:
-    """Mip levels of a picture of tone, shape (h, w, channels): red, green, blue and 0, to one texel."""
+def tone_levels(material: TextureTiles, map: str) -> list[NDArray[np.float16]]:
+    """Mip levels of the picture of a map's tone, to one texel; none where it has no tone.
+
+    Returns
+    -------
+    list of float16 array, shape (rows, columns, 4)
+        Red, green, blue and 0, around 0, as a share of white in sRGB.
+    """
+    tone = None if material.tone is None else material.tone.maps.get(map)
+    if tone is None:
+        return []
     level = np.zeros((*tone.shape[:2], 4), np.float32)
-    level[..., :3] = without_alpha(tone)
+    level[..., :3] = without_alpha(tone) / np.float32(white(material.maps[map].dtype))
     levels = [level]
     while max(level.shape[:2]) > 1:
         level = _halve(level[np.newaxis])[0]
         levels.append(level)
-    return levels
+    return [level.astype(np.float16) for level in levels]
 
 
 def check_map_name(material: TextureTiles, map: str | None) -> str:

@@ -20,6 +20,7 @@ from tilewright.tilings.streams import TONES, VARIANTS
 FACTS = "tilewright.json"
 """The file that makes a folder one of ours, and lists the others."""
 _TAKEN = ("material", "example", "tilewright", "project", "index", "package", "places", "readme")
+"""Files of the targets themselves."""
 _WITH_LEVELS = "Mip levels are in the files, to the last: keep them, and filter trilinear or anisotropic."
 _ODD_SIZE = " This tile size does not halve far: lines may show from afar."
 _WITHOUT_LEVELS = (
@@ -150,11 +151,9 @@ def _describe_tone(kit: Kit, tones: dict[str, str]) -> list[str]:
     """A line on what is laid over the tiles."""
     if not kit.toned:
         return []
-    rows, columns = kit.tone(kit.toned[0])[0].shape[1:3]
     return [
-        "Tone, colors that vary over more than a tile, is laid over the tiles by the shader: three fetches "
-        f"more, of {', '.join(tones.values())}, {columns} x {rows} half floats "
-        "around 0 in sRGB."
+        f"Tone, colors that vary over more than a tile, lies in {', '.join(tones.values())}, around 0 in "
+        "sRGB, and belongs over the tiles: three fetches more, by the shader where there is one."
     ]
 
 
@@ -189,11 +188,11 @@ def _write_facts(kit: Kit, folder: Path, files: dict[str, str], tones: dict[str,
     }
     if kit.variants > 1:
         facts |= {"variants": kit.variants, "variant_start_states": start_states(kit.seed, VARIANTS)}
-    if kit.grid:
+    if kit.tone_grid:
         facts["tone"] = {
             "files": tones,
-            "span": kit.grid.span,
-            "texels": kit.grid.texels,
+            "span": kit.tone_grid.span,
+            "texels": kit.tone_grid.texels,
             "start_states": start_states(kit.seed, TONES),
         }
     (folder / FACTS).write_text(json.dumps(facts, indent=1) + os.linesep, encoding="utf-8")

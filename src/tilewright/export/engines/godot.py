@@ -39,10 +39,10 @@ def write(folder: Path, kit: Kit) -> None:
         if slot != "height"
     ]
     uniforms += [
-        f"uniform sampler2D {slot}_tone : filter_linear_mipmap, repeat_disable;" for slot in _toned(kit)
+        f"uniform sampler2D {slot}_tone : filter_linear_mipmap, repeat_disable;" for slot in kit.toned_slots
     ]
     values = kit.numbers() | {"uniforms": "\n".join(uniforms), "place": "vec3" if array else "vec2"}
-    values |= {f"{slot}_toned": slot in _toned(kit) for slot in ("color", "emission")}
+    values |= {f"{slot}_toned": slot in kit.toned_slots for slot in ("color", "emission")}
     for name in ("tilewright.gdshader", "project.godot", "example.tscn"):
         (folder / name).write_text(fill(f"godot/{name}", **values), encoding="utf-8")
     (folder / "tilewright.gdshaderinc").write_text(kit.lookup("godot"), encoding="utf-8")
@@ -89,17 +89,11 @@ def _image(number: int, levels: list[NDArray[Any]]) -> str:
     )
 
 
-def _toned(kit: Kit) -> list[str]:
-    """The slots whose maps have tone."""
-    return [slot for slot, map in kit.slots.items() if map in kit.toned]
-
-
 def _material(kit: Kit, files: dict[str, str], tones: dict[str, str]) -> str:
     """The ShaderMaterial."""
     kind = "Texture2DArray" if kit.form == "array" else "Texture2D"
     used = [(slot, f"{slot}_map", kind, files[map]) for slot, map in kit.slots.items() if slot != "height"]
-    for slot in _toned(kit):
-        used.append((f"{slot}_tone", f"{slot}_tone", "Texture2D", tones[kit.slots[slot]]))
+    used += [(f"{s}_tone", f"{s}_tone", "Texture2D", tones[map]) for s, map in kit.toned_slots.items()]
     lines = [
         f'[gd_resource type="ShaderMaterial" load_steps={len(used) + 2} format=3]\n',
         '[ext_resource type="Shader" path="res://tilewright.gdshader" id="shader"]',

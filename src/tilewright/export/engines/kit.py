@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
-from tilewright.pixels import MAP_WORDS, as_rgba, white, without_alpha
+from tilewright.pixels import MAP_WORDS, as_rgba, without_alpha
 from tilewright.shaders.layouts import even_variants, packed_rows
 from tilewright.shaders.lookup import ARRAY_TILES, MOST_COLORS, ToneGrid, lookup, numbers
 from tilewright.shaders.mipmaps import (
@@ -31,7 +31,6 @@ _SLOTS = {
     "height": MAP_WORDS["height"].slot,
     "opacity": MAP_WORDS["opacity"].slot,
 }
-"""Files of the targets themselves."""
 Levels = list[NDArray[Any]]
 
 
@@ -42,7 +41,7 @@ class Kit:
     Attributes
     ----------
     material : TextureTiles
-        Over a complete corner set of 1 to 8 colors, with as many variants of every tile.
+        Over a complete corner set of 1 to 8 colors, or one in classes, with as many variants of every tile.
     seed : int
         Seed of the tiling.
     form : str
@@ -89,7 +88,7 @@ class Kit:
         return find_slots(self.material)
 
     @property
-    def grid(self) -> ToneGrid | None:
+    def tone_grid(self) -> ToneGrid | None:
         """Where tone lies outside the tiles, if it does."""
         tone = self.material.tone
         return None if tone is None else ToneGrid(tone.span, tone.tile_size / tone.texel)
@@ -99,11 +98,14 @@ class Kit:
         """The maps that have tone."""
         return () if self.material.tone is None else tuple(self.material.tone.maps)
 
+    @property
+    def toned_slots(self) -> dict[str, str]:
+        """The slots whose maps have tone, and these."""
+        return {slot: map for slot, map in self.slots.items() if map in self.toned}
+
     def tone(self, map: str) -> Levels:
-        """Mip levels of a map's tone, as a share of white: half floats, shape (1, rows, columns, 4)."""
-        assert self.material.tone is not None
-        share = self.material.tone.maps[map] / np.float32(white(self.material.maps[map].dtype))
-        return [level[np.newaxis].astype(np.float16) for level in tone_levels(share)]
+        """Mip levels of a map's tone, shape (1, rows, columns, 4) each; see `tone_levels`."""
+        return [level[np.newaxis] for level in tone_levels(self.material, map)]
 
     def mipmaps(self, map: str) -> Mipmaps:
         """Mip levels of a map as it is in the material."""
@@ -148,7 +150,7 @@ class Kit:
             self.gutter,
             self.variants,
             self.classes,
-            self.grid if tone else None,
+            self.tone_grid if tone else None,
             self.columns,
         )
 
@@ -156,7 +158,7 @@ class Kit:
         """What templates are filled with: the numbers of the lookup, and which slots have a map."""
         slots = {f"has_{name}": name in self.slots for name in ("color", "normal", "roughness", *_SLOTS)}
         size, gutter = self.material.tile_size, self.gutter
-        how = (self.variants, self.classes, self.grid, self.columns)
+        how = (self.variants, self.classes, self.tone_grid, self.columns)
         return numbers(self.colors, self.seed, size, gutter, *how) | slots
 
 
@@ -166,21 +168,22 @@ def prepare(material: TextureTiles, seed: int, *, atlas: bool = False, green: st
     Raises
     ------
     TilewrightValueError
-        The tiles are not a complete corner set of 1 to 8 colors, or have not as many variants each, drawn
-        alike.
+        The tiles are neither a complete corner set of 1 to 8 colors nor one in classes, or have not as many
+        variants each, drawn alike.
     """
     tiles = material.tiles
-    classed = tiles.family == "classed"
-    form = "array" if len(tiles) * even_variants(material) <= ARRAY_TILES and not atlas else "atlas"
-    if classed and form == "atlas":
-        form = "grid"
+    classed, pictures = tiles.family == "classed", len(tiles) * even_variants(material)
+    form = "grid" if classed else "atlas"
+    if not atlas and pictures <= ARRAY_TILES:
+        form = "array"
     known = tiles.family == "corner" or (classed and are_by_class(tiles))
     if not known or tiles.parameters["colors"] not in range(1, MOST_COLORS + 1):
         raise TilewrightValueError(
             f"is over the {tiles.name} set of {len(tiles)} {tiles.shape.name} tiles; engine shaders "
-            "find tiles of complete corner sets: make the texture over corner_tiles(C), C 1 to "
-            f"{MOST_COLORS}",
+            f"find tiles of complete corner sets, corner_tiles(C) with C 1 to {MOST_COLORS}, and of those in "
+            "classes",
             argument="material",
+            advice="make the texture without naming a set",
         )
     return Kit(material, seed, form, green)
 

@@ -20,9 +20,7 @@ def write(folder: Path, kit: Kit) -> None:
         write_tx(folder / file, [level[0] for level in kit.levels(map)[0]])
     for map, file in tone_names(kit, files).items():
         write_tx(folder / file, [level[0] for level in kit.tone(map)], wrap="mirror")
-    linear = kit.material.maps[kit.material.main].dtype != np.uint8
-    texts = {"lookup": kit.lookup("osl"), "linear": str(int(linear))}
-    shader = fill("osl/tilewright.osl", **texts, **kit.numbers())
+    shader = fill("osl/tilewright.osl", lookup=kit.lookup("osl"), **kit.numbers())
     (folder / "tilewright.osl").write_text(shader, encoding="utf-8")
     finish(
         kit,
@@ -30,10 +28,10 @@ def write(folder: Path, kit: Kit) -> None:
         "Open Shading Language",
         "rendered here, in Cycles of Blender 5.0",
         [
-            "Compile tilewright.osl with oslc; give Map a file and Position tiles, x east and y south (u, "
-            "-v).",
+            f"Compile tilewright.osl with oslc; give Map a file{', Tone its own' if kit.toned else ''} and "
+            "Position tiles, x east and y south (u, -v).",
             "Maps of kind color hold sRGB where they are 8 bit; linearize them as your renderer does for "
-            "textures.",
+            f"textures.{' For the others set Linear to 1.' if kit.toned else ''}",
         ],
         files,
     )

@@ -37,8 +37,9 @@ def save_for_engine(material: TextureTiles, folder: AnyPath, to: str, *, seed: i
     Parameters
     ----------
     material : TextureTiles
-        Texture tiles over a complete corner set of 1 to 8 colors, with as many variants of every tile, drawn
-        alike, up to 256.
+        Texture tiles over a complete corner set of 1 to 8 colors, or one in classes, with as many variants of
+        every tile, drawn alike, up to 256. Tone outside the tiles goes along as a small picture, which the
+        shader lays.
     folder : str or path-like
         Made whole or not at all. A folder of an earlier export is replaced, another one that is not empty
         refused.
@@ -55,7 +56,8 @@ def save_for_engine(material: TextureTiles, folder: AnyPath, to: str, *, seed: i
     TilewrightTypeError
         Something else than texture tiles, a path or an integer.
     TilewrightValueError
-        No such target, or the tiles are not a complete corner set or have other variants.
+        No such target, or the tiles are neither a complete corner set nor one in classes, or have other
+        variants.
     TilewrightFileError
         The folder holds other things, or cannot be written.
 

@@ -29,13 +29,14 @@ def write(folder: Path, kit: Kit) -> None:
         write_dds(folder / file, kit.tone(map))
     used = {slot: f"_{slot.capitalize()}Map" for slot in kit.slots if slot in _READS}
     maps = [(used[slot], files[kit.slots[slot]]) for slot in used]
-    maps += [(f"_{slot.capitalize()}Tone", tones[kit.slots[slot]]) for slot in _toned(kit)]
+    toned = {slot: tones[map] for slot, map in kit.toned_slots.items() if slot in used}
+    maps += [(f"_{slot.capitalize()}Tone", file) for slot, file in toned.items()]
     (folder / "Editor").mkdir()
     array = "true" if kit.form == "array" else "false"
     pairs = ", ".join(f'("{name}", "{file}")' for name, file in maps)
     listed = ", ".join(f'"{file}"' for file in tones.values())
     texts = {"maps": pairs, "array": array, "tones": listed}
-    importer = fill("unity/TilewrightImporter.cs", **texts, toned=bool(tones), plain=not tones)
+    importer = fill("unity/TilewrightImporter.cs", **texts, toned=bool(tones))
     (folder / "Editor" / "TilewrightImporter.cs").write_text(importer, encoding="utf-8")
     include = fill("unity/Tilewright.hlsl", **kit.numbers(), include=kit.lookup("hlsl"))
     (folder / "Tilewright.hlsl").write_text(include, encoding="utf-8")
@@ -52,19 +53,14 @@ def write(folder: Path, kit: Kit) -> None:
             "it, Create, "
             "Tilewright Material: Tiles is the number of tiles across one unit of UV. "
             "Height and opacity are not wired.",
-            "Shader Graph: a Custom Function node of type File with Tilewright.hlsl; functions Tilewright "
-            "and "
-            "TilewrightNormal. In the Built-in pipeline include Tilewright.hlsl yourself.",
+            "Shader Graph: a Custom Function node of type File with Tilewright.hlsl; functions "
+            f"Tilewright{', TilewrightTone (of its Color)' if tones else ''} and TilewrightNormal. "
+            "In the Built-in pipeline include Tilewright.hlsl yourself.",
             "Textures are .twdds, DDS by another name, so that the importer in Editor keeps their mip "
             "levels.",
         ],
         files,
     )
-
-
-def _toned(kit: Kit) -> list[str]:
-    """The slots whose maps have tone."""
-    return [slot for slot, map in kit.slots.items() if slot in _READS and map in kit.toned]
 
 
 def _shader(kit: Kit, used: dict[str, str]) -> str:
@@ -78,7 +74,7 @@ def _shader(kit: Kit, used: dict[str, str]) -> str:
     properties = [f'    {name} ("{slot.capitalize()}", {kind}) = "white" {{}}' for slot, name in used.items()]
     textures = [f"      {macro}({name}); SAMPLER(sampler{name});" for name in used.values()]
     reads = [f"        {_READS[slot].format(sample.format(name))}" for slot, name in used.items()]
-    for slot in _toned(kit):
+    for slot in (slot for slot in kit.toned_slots if slot in used):
         name = f"_{slot.capitalize()}Tone"
         properties.append(f'    {name} ("{slot.capitalize()} tone", 2D) = "black" {{}}')
         textures.append(f"      TEXTURE2D({name}); SAMPLER(sampler{name});")

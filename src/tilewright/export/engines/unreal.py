@@ -30,9 +30,8 @@ def write(folder: Path, kit: Kit) -> None:
         files=json.dumps({slot: files[map] for slot, map in slots.items()}, indent=4),
         light=json.dumps([s for s, map in slots.items() if kit.levels(map)[1]]),
         floats=json.dumps(floats),
-        tones=json.dumps({slot: tones[map] for slot, map in slots.items() if map in tones}),
+        tones=json.dumps({slot: tones[map] for slot, map in kit.toned_slots.items()}),
         toned=bool(tones),
-        plain=not tones,
     )
     (folder / "make_material.py").write_text(script, encoding="utf-8")
     (folder / "custom_node.hlsl").write_text(kit.lookup("unreal", tone=False), encoding="utf-8")

@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.parts import fill, part
-from tilewright.export.viewer.pictures import describe_map, encode_png, mean_color, shown_tone
+from tilewright.export.viewer.pictures import describe_map, encode_png, mean_color
 from tilewright.export.viewer.sets import describe_set
 from tilewright.fields import TextureField
 from tilewright.fields.photos.contenders import Contender, SideBySide
 from tilewright.fields.photos.gaussian import gaussianize
 from tilewright.fields.photos.methods import NoiseField, patch_range, triangle_grid
 from tilewright.pixels import without_alpha
+from tilewright.shaders.mipmaps import tone_levels
 from tilewright.signals.textures import TextureTiles, copy_from_sources
 
 # Figure -> (head of its column, what it says); those of contrast share a column.
@@ -44,7 +45,7 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
         if isinstance(one.field, TextureField):
             tiles = one.field.material
             shown = _shown_tiles(tiles, name, photo)
-            tone = shown_tone(tiles, name)
+            tone = tone_levels(tiles, name)
             plane["tiles"] = describe_set(
                 tiles.tiles, tiles.variants, seed, [describe_map(name, shown, light, tone)], tiles.tone
             )

@@ -16,11 +16,12 @@ from tilewright.errors import TilewrightValueError
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.compared import describe_comparison, fill_comparison
 from tilewright.export.viewer.parts import fill, part, shader
-from tilewright.export.viewer.pictures import describe_map, shown_tone
+from tilewright.export.viewer.pictures import describe_map
 from tilewright.export.viewer.sets import BAKED_CELLS, describe_set, is_baked
 from tilewright.fields.photos.contenders import SideBySide
 from tilewright.files.atomic import AnyPath, as_path, check_file, whole_file
 from tilewright.seeds import check_seed
+from tilewright.shaders.mipmaps import tone_levels
 from tilewright.signals.textures import TextureTiles
 
 _SCRIPTS = ("lattice.js", "camera.js", "renderer.js", "photo.js", "controls.js", "comparison.js", "main.js")
@@ -149,7 +150,7 @@ def _describe(material: TextureTiles, seed: int) -> dict[str, Any]:
     for name, pixels in material.maps.items():
         light = material.kinds[name] == "color"
         shown, note = screen_bytes(pixels, light)
-        maps.append(describe_map(name, shown, light, shown_tone(material, name)))
+        maps.append(describe_map(name, shown, light, tone_levels(material, name)))
         notes.append({"name": name, "note": note})
     tiles = describe_set(material.tiles, material.variants, seed, maps, material.tone)
     return {"maps": notes, "planes": [{"name": "tiles", "label": "Tiles", "own": True, "tiles": tiles}]}

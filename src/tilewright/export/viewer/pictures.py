@@ -2,43 +2,34 @@
 
 import base64
 import io
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.pixels import white
-from tilewright.shaders.mipmaps import tone_levels
-from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import to_linear
 
 
 def describe_map(
-    name: str, shown: NDArray[np.uint8], light: bool, tone: NDArray[np.float32] | None = None
+    name: str, shown: NDArray[np.uint8], light: bool, tone: Sequence[NDArray[np.float16]] = ()
 ) -> dict[str, Any]:
-    """A map's pictures, shape (rows, H, W, channels), as the page holds them; tone as a share of white."""
+    """A map's pictures, shape (rows, H, W, channels), as the page holds them; and the levels of its tone."""
     described: dict[str, Any] = {
         "name": name,
         "light": light,
         "mean": mean_color(shown, light),
         "tiles": [encode_png(tile) for tile in shown],
     }
-    if tone is not None:
+    if tone:
         described["tone"] = describe_tone(tone)
     return described
 
 
-def shown_tone(material: TextureTiles, name: str) -> NDArray[np.float32] | None:
-    """Tone of a map as a share of white, None where it has none."""
-    if material.tone is None or name not in material.tone.maps:
-        return None
-    return material.tone.maps[name] / np.float32(white(material.maps[name].dtype))
-
-
-def describe_tone(tone: NDArray[np.float32]) -> dict[str, Any]:
-    """Texels of tone with their mip levels, one after another, as red, green, blue and 0 in half floats."""
-    values = b"".join(level.astype("<f2").tobytes() for level in tone_levels(tone))
-    height, width = tone.shape[:2]
+def describe_tone(levels: Sequence[NDArray[np.float16]]) -> dict[str, Any]:
+    """Mip levels of tone, one after another, as red, green, blue and 0 in half floats."""
+    values = b"".join(level.astype("<f2").tobytes() for level in levels)
+    height, width = levels[0].shape[:2]
     return {"width": width, "height": height, "values": base64.b64encode(values).decode()}
 
 

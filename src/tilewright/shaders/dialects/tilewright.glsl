@@ -1,9 +1,9 @@
 // Endless plane of corner tiles over {{colors}} colors, seed {{seed}}; made by tilewright {{version}}.
 // GLSL 3.30 or GLSL ES 3.00, highp. Positions p are in tiles, x east, y south.
 // {{#array}}
-// {{#single}}
+// {{^several}}
 // Textures are arrays with a layer for each tile. Filter them trilinear or anisotropic; clamp.
-// {{/single}}
+// {{/several}}
 // {{#several}}
 // Textures are arrays with a layer for each of {{variants}} variants of each tile. Filter them trilinear or
 // anisotropic; clamp.
@@ -14,9 +14,9 @@
 // clamp.
 // {{/grid}}
 // {{#atlas}}
-// {{#single}}
+// {{^several}}
 // Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
-// {{/single}}
+// {{/several}}
 // {{#several}}
 // Textures are atlases that hold each of {{variants}} variants of each tile once. Filter them trilinear or
 // anisotropic; repeat.
@@ -155,9 +155,9 @@ struct TwPlace { vec2 uv; vec2 dx; vec2 dy; };
 // p is counted from the cell origin; move it to have another part of the plane.
 TwPlace twFind(vec2 p, ivec2 origin) {
   vec2 cell = floor(p);
-// {{#single}}
+// {{^several}}
   vec2 uv = (vec2(twPlace(twCorners(ivec2(cell) + origin))) + (p - cell)) * {{scale}};
-// {{/single}}
+// {{/several}}
 // {{#several}}
   ivec2 here = ivec2(cell) + origin;
   uvec2 place = twPlace(twCorners(here)) + uvec2(twVariant(here) * {{side}}u, 0u);

@@ -1,9 +1,9 @@
 // Endless plane of corner tiles over {{colors}} colors, seed {{seed}}; made by tilewright {{version}}.
 // HLSL, shader model 4 and up. Positions p are in tiles, x east, y south.
 // {{#array}}
-// {{#single}}
+// {{^several}}
 // Textures are arrays with a layer for each tile. Filter them trilinear or anisotropic; clamp.
-// {{/single}}
+// {{/several}}
 // {{#several}}
 // Textures are arrays with a layer for each of {{variants}} variants of each tile. Filter them trilinear or
 // anisotropic; clamp.
@@ -14,9 +14,9 @@
 // clamp.
 // {{/grid}}
 // {{#atlas}}
-// {{#single}}
+// {{^several}}
 // Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
-// {{/single}}
+// {{/several}}
 // {{#several}}
 // Textures are atlases that hold each of {{variants}} variants of each tile once. Filter them trilinear or
 // anisotropic; repeat.
@@ -60,9 +60,9 @@ struct TwPlace { float2 uv; float2 dx; float2 dy; };
 TwPlace TwFind(float2 p, int2 origin) {
   float2 cell = floor(p);
   TwPlace at;
-// {{#single}}
+// {{^several}}
   at.uv = ((float2)TwPlaceOf(TwCorners((int2)cell + origin)) + (p - cell)) * {{scale}};
-// {{/single}}
+// {{/several}}
 // {{#several}}
   int2 here = (int2)cell + origin;
   uint2 place = TwPlaceOf(TwCorners(here)) + uint2(TwVariant(here) * {{side}}u, 0u);

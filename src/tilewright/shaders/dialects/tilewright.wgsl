@@ -1,9 +1,9 @@
 // Endless plane of corner tiles over {{colors}} colors, seed {{seed}}; made by tilewright {{version}}.
 // Positions p are in tiles, x east, y south.
 // {{#array}}
-// {{#single}}
+// {{^several}}
 // Textures are arrays with a layer for each tile. Filter them trilinear or anisotropic; clamp.
-// {{/single}}
+// {{/several}}
 // {{#several}}
 // Textures are arrays with a layer for each of {{variants}} variants of each tile. Filter them trilinear or
 // anisotropic; clamp.
@@ -14,9 +14,9 @@
 // clamp.
 // {{/grid}}
 // {{#atlas}}
-// {{#single}}
+// {{^several}}
 // Textures are atlases that hold each tile once. Filter them trilinear or anisotropic; repeat.
-// {{/single}}
+// {{/several}}
 // {{#several}}
 // Textures are atlases that hold each of {{variants}} variants of each tile once. Filter them trilinear or
 // anisotropic; repeat.
@@ -169,9 +169,9 @@ struct TwPlace { uv: vec2f, dx: vec2f, dy: vec2f }
 // fragments of a quad do (uniform control flow).
 fn tw_find(p: vec2f, origin: vec2i) -> TwPlace {
   let cell = floor(p);
-// {{#single}}
+// {{^several}}
   let uv = (vec2f(tw_place(tw_corners(vec2i(cell) + origin))) + (p - cell)) * {{scale}};
-// {{/single}}
+// {{/several}}
 // {{#several}}
   let here = vec2i(cell) + origin;
   let place = tw_place(tw_corners(here)) + vec2u(tw_variant(here) * {{side}}u, 0u);

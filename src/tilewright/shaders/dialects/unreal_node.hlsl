@@ -23,9 +23,9 @@ DY = ddy(Position) * {{scale}};
 return twSquare + (Position - twCell) * {{scale}} + {{gutter}};
 // {{/grid}}
 // {{#atlas}}
-// {{#single}}
+// {{^several}}
 uint2 twPlace = tw.TwPlaceOf(tw.TwCorners((int2)twCell + (int2)round(Origin)));
-// {{/single}}
+// {{/several}}
 // {{#several}}
 int2 twHere = (int2)twCell + (int2)round(Origin);
 uint2 twPlace = tw.TwPlaceOf(tw.TwCorners(twHere)) + uint2(tw.TwVariant(twHere) * {{side}}u, 0u);

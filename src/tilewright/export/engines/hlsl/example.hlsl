@@ -10,9 +10,9 @@ SamplerState filtering : register(s0);  // MIN_MAG_MIP_LINEAR or ANISOTROPIC, {{
 float4 main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target {
   const float tiles = 8.0;  // across one unit of uv; turn y over where v points up
   TwPlace at = TwFind(uv * tiles, int2(0, 0));
-// {{#plain}}
+// {{^toned}}
   return TwSample(colorMap, filtering, at);
-// {{/plain}}
+// {{/toned}}
 // {{#toned}}
   float4 color = TwSample(colorMap, filtering, at);
   return float4(TwLay(color.rgb, TwTone(colorTone, filtering, uv * tiles, int2(0, 0))), color.a);

@@ -5,10 +5,10 @@
 #define TW_MAP UnityTexture2DArray
 #define TW_SAMPLE(map, at) SAMPLE_TEXTURE2D_ARRAY_GRAD(map.tex, map.samplerstate, at.uv.xy, at.uv.z, at.dx, at.dy)
 // {{/array}}
-// {{#flat}}
+// {{^array}}
 #define TW_MAP UnityTexture2D
 #define TW_SAMPLE(map, at) SAMPLE_TEXTURE2D_GRAD(map.tex, map.samplerstate, at.uv, at.dx, at.dy)
-// {{/flat}}
+// {{/array}}
 
 TwPlace TwFindUp(float2 position, float2 origin) {
   return TwFind(float2(position.x, -position.y), (int2)round(origin));

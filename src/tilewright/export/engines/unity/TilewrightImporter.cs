@@ -11,9 +11,9 @@ using UnityEngine.Experimental.Rendering;
 public class TilewrightImporter : ScriptedImporter
 {
     const int Header = 148;
-    // {{#plain}}
+    // {{^toned}}
     const bool IsArray = {{array}};
-    // {{/plain}}
+    // {{/toned}}
     // {{#toned}}
     static readonly string[] Tones = { {{tones}} };  // single pictures
     bool IsArray;
@@ -48,9 +48,9 @@ public class TilewrightImporter : ScriptedImporter
         Texture texture = IsArray ? (Texture)array : single;
         texture.filterMode = FilterMode.Trilinear;
         texture.anisoLevel = 8;
-        // {{#plain}}
+        // {{^toned}}
         texture.wrapMode = IsArray ? TextureWrapMode.Clamp : TextureWrapMode.Repeat;
-        // {{/plain}}
+        // {{/toned}}
         // {{#toned}}
         texture.wrapMode = IsArray || isTone ? TextureWrapMode.Clamp : TextureWrapMode.Repeat;
         // {{/toned}}

@@ -8,9 +8,9 @@
 @fragment fn fragment_main(@location(0) uv: vec2f) -> @location(0) vec4f {
   let tiles = 8.0;  // across one unit of uv; turn y over where v points up
   let at = tw_find(uv * tiles, vec2i(0, 0));
-// {{#plain}}
+// {{^toned}}
   return tw_sample(color_map, filtering, at);
-// {{/plain}}
+// {{/toned}}
 // {{#toned}}
   let color = tw_sample(color_map, filtering, at);
   return vec4f(tw_lay(color.rgb, tw_tone(color_tone, filtering, uv * tiles, vec2i(0, 0))), color.a);
