@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from browsing import CHROMIUM, FLAGS
+from browsing import CHROMIUM, FLAGS, on_one_core
 
 PHOTOGRAPHS = Path(__file__).parents[2] / "shared" / "data" / "textures"
 
@@ -17,6 +17,16 @@ def gravel() -> NDArray[np.uint8]:
     import skimage.data
 
     return skimage.data.gravel()[..., np.newaxis]
+
+
+@pytest.fixture
+def quarter_photographs(monkeypatch):
+    """A quarter of each of scikit-image's photographs that pages and examples name: the code is the same."""
+    import skimage.data
+
+    for name in ("gravel", "grass"):
+        quarter = getattr(skimage.data, name)()[:256, :256]
+        monkeypatch.setattr(skimage.data, name, quarter.copy)
 
 
 @pytest.fixture(scope="session")
@@ -74,7 +84,9 @@ def browser():
         pytest.skip("no Chromium was found")
     from playwright.sync_api import sync_playwright
 
-    with sync_playwright() as play:
+    with on_one_core():
+        play = sync_playwright().start()
         opened = play.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield opened
-        opened.close()
+    yield opened
+    opened.close()
+    play.stop()

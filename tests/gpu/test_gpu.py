@@ -60,8 +60,12 @@ def weis_picture(material, tiling, x, y, width, height):
 
 
 @drawn
-@pytest.mark.parametrize("hash", ["mixer", "permutation"])
-@pytest.mark.parametrize(("tiles", "layout"), CORNER_SETS + WANG_SETS, ids=lambda v: getattr(v, "colors", v))
+@pytest.mark.parametrize(
+    ("tiles", "layout", "hash"),
+    [(*s, "mixer") for s in CORNER_SETS + WANG_SETS]
+    + [(*s, "permutation") for s in CORNER_SETS[::2] + WANG_SETS[::2]],
+    ids=lambda v: getattr(v, "colors", v),
+)
 def test_a_texel_per_pixel_is_the_rendered_field(tiles, layout, hash):
     material = handmade(tiles, 16)
     tiling = tw.direct(tiles, 2**40 + 7, hash=hash)
@@ -76,8 +80,11 @@ def test_a_texel_per_pixel_is_the_rendered_field(tiles, layout, hash):
 
 
 @drawn
-@pytest.mark.parametrize("count", [2, 3])
-@pytest.mark.parametrize(("tiles", "layout"), CORNER_SETS + WANG_SETS, ids=lambda v: getattr(v, "colors", v))
+@pytest.mark.parametrize(
+    ("tiles", "layout", "count"),
+    [(*s, 2 + n % 2) for n, s in enumerate(CORNER_SETS + WANG_SETS)],
+    ids=lambda v: getattr(v, "colors", v),
+)
 def test_variants_are_those_of_the_rendered_field(tiles, layout, count):
     material = handmade(tiles, 16, variants=tw.Variants.uniform(tiles, count))
     tiling = tw.direct(tiles, 2**40 + 7)
@@ -285,7 +292,7 @@ def test_minified_as_one_picture(made, kind, layout):
     assert clean >= 1
     for level in range(6):
         scale = 2**level
-        camera = OrthographicCamera(0.37 * scale, 0.61 * scale, *(min(128, SIDE // scale - 1),) * 2, scale)
+        camera = OrthographicCamera(0.37 * scale, 0.61 * scale, *(min(80, SIDE // scale - 1),) * 2, scale)
         tiled, whole = field.render(camera), plain.render(camera)
         reference = averaged(plane, camera, 64, min(16, 4 * scale))
         assert psnr(tiled, whole) > (60 if level <= clean else 28), level

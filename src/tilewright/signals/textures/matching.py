@@ -140,9 +140,10 @@ def best_places(score: NDArray[np.float32], count: int, apart: int) -> list[tupl
 def bar_places(score: NDArray[np.float32], places: Iterable[tuple[int, int]], radius: float) -> None:
     """Make every place nearer than ``radius`` to one of the given infinitely bad."""
     reach = int(np.ceil(radius))
+    away = np.arange(-reach, reach + 1) ** 2
+    disk = away[:, np.newaxis] + away < radius**2
     for y, x in places:
         top, left = max(0, y - reach), max(0, x - reach)
         part = score[top : max(0, y + reach + 1), left : max(0, x + reach + 1)]
-        if part.size:
-            rows, columns = np.ogrid[top : top + part.shape[0], left : left + part.shape[1]]
-            part[(rows - y) ** 2 + (columns - x) ** 2 < radius**2] = np.inf
+        inside = disk[top - y + reach :, left - x + reach :]
+        part[inside[: part.shape[0], : part.shape[1]]] = np.inf
