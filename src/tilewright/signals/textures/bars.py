@@ -58,10 +58,16 @@ class Bars:
         ``row`` and ``column`` of a window lie on lines of the lattice; a window begins ``margin`` pixels
         after its place.
         """
+        courses = []
         for axis, (rhythm, line) in enumerate(zip(self.manner.rhythm, (row, column), strict=True)):
             if rhythm is not None:
-                kept = _in_step(rhythm, self.size, line)[margin : margin + places.shape[axis]]
+                here = slice(margin, margin + places.shape[axis])
+                kept = _in_step(rhythm, self.size, line)[here]
                 places = places & (kept if axis else kept[:, np.newaxis])
+                courses.append(rhythm.course_at(self.size, line)[here])
+        if self.manner.bond.size > 1:
+            i, j = courses
+            places = places & self.manner.bond.alike(i[:, np.newaxis], j)
         return places
 
     @cached_property

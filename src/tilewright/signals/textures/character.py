@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, median_filter, zoom
 
+from tilewright.signals.textures.bond import ALL_ALIKE, Bond, find_bond
 from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.kinds import to_lab
 from tilewright.signals.textures.regularity import Regularity
@@ -30,6 +31,8 @@ class Character:
     ----------
     rhythm : (Rhythm or None, Rhythm or None)
         Of its rows and of its columns.
+    bond : Bond
+        How these go together.
     edge_share : float
         How much of the outlines at the size of things is sharp: the share of the squared gradient that its
         steepest tenth holds once all that is finer is gone, 0.1 to 1.
@@ -38,6 +41,7 @@ class Character:
     """
 
     rhythm: tuple[Rhythm | None, Rhythm | None]
+    bond: Bond
     edge_share: float
     tone_share: float
 
@@ -73,21 +77,22 @@ def find_character(exemplar: Exemplar, regularity: Regularity, tile_size: int) -
     step = max(1, tile_size // SEEN_AT)
     small = to_lab(reduce_pixels(pixels, step), exemplar.kinds[name])
     usable = reduce_blocks(exemplar.masks[0][..., np.newaxis].astype(np.float32), step)[..., 0] > 0.5
-    rhythms = _find_rhythms(small[..., 0], step, pixels.shape[:2], regularity)
-    return Character(rhythms, _edge_share(small[..., 0], usable), _tone_share(small, usable))
+    rhythms, bond = _find_courses(small[..., 0], step, pixels.shape[:2], regularity)
+    return Character(rhythms, bond, _edge_share(small[..., 0], usable), _tone_share(small, usable))
 
 
-def _find_rhythms(
+def _find_courses(
     gray: NDArray[np.float32], seen_step: int, shape: tuple[int, int], regularity: Regularity
-) -> tuple[Rhythm | None, Rhythm | None]:
-    """The rhythms of a photograph of a shape, of which ``seen_step`` pixels are one in ``gray``."""
+) -> tuple[tuple[Rhythm | None, Rhythm | None], Bond]:
+    """Rhythms and bond of a photograph of a shape, of which ``seen_step`` pixels are one in ``gray``."""
     further = -(-max(gray.shape) // _LARGEST_SIDE)
     small, step = reduce_blocks(gray[..., np.newaxis], further)[..., 0], seen_step * further
     rows, columns = (
         find_rhythm(seen, period and period / step)
         for seen, period in zip((small, small.T), regularity.period, strict=True)
     )
-    return rows and rows.enlarged(step, shape[0]), columns and columns.enlarged(step, shape[1])
+    bond = find_bond(small, rows, columns) if rows and columns else ALL_ALIKE
+    return (rows and rows.enlarged(step, shape[0]), columns and columns.enlarged(step, shape[1])), bond
 
 
 def _edge_share(lightness: NDArray[np.float32], usable: NDArray[np.bool_]) -> float:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.signals.textures.bond import ALL_ALIKE, Bond
 from tilewright.signals.textures.rhythm import Rhythm
 
 
@@ -29,6 +30,8 @@ class Manner:
         another for all pairs. Candidates are then drafted, too: see ``search.py``.
     rhythm : (Rhythm or None, Rhythm or None)
         Courses of rows and of columns that patches keep in step with.
+    bond : Bond
+        Which crossings of these are alike: patches keep in step with them, too.
     lone : bool array, shape of the sheet, or None
         Pixels that corner and edge patches must not show, and center patches once.
     """
@@ -40,6 +43,7 @@ class Manner:
     recurrence: float = 0.17
     jointly: bool = False
     rhythm: tuple[Rhythm | None, Rhythm | None] = (None, None)
+    bond: Bond = ALL_ALIKE
     lone: NDArray[np.bool_] | None = None
 
 

@@ -72,11 +72,20 @@ class Rhythm:
         Tiles have courses of one height, and one begins at row ``line`` of the window. Element y is of the
         window that begins at row y.
         """
+        off = self._courses_before(length, line)
+        return np.abs(off - np.rint(off)).max(axis=1, initial=0) * self.period
+
+    def course_at(self, length: int, line: int) -> NDArray[np.int64]:
+        """Which course begins at row ``line`` of such windows, element y of the one from row y."""
+        return np.rint(self._courses_before(length, line).mean(axis=1)).astype(np.int64)
+
+    def _courses_before(self, length: int, line: float) -> NDArray[np.float64]:
+        """Courses before row ``line`` of every window, as told by each of its rows, shape (windows, rows)."""
         count = max(0, len(self.phase) - length + 1)
         rows = np.arange(0, length, max(1, length // 64))
         courses = round(length / self.period)
-        off = self.phase[np.arange(count)[:, np.newaxis] + rows] - (rows - line) * (courses / length)
-        return np.abs(off - np.rint(off)).max(axis=1, initial=0) * self.period
+        before = self.phase[np.arange(count)[:, np.newaxis] + rows] - (rows - line) * (courses / length)
+        return np.asarray(before, np.float64)
 
 
 def find_rhythm(gray: NDArray[np.float32], period: float | None) -> Rhythm | None:

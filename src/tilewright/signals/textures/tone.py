@@ -19,19 +19,24 @@ from tilewright.signals.textures.kinds import to_encoded, to_linear
 Texels = NDArray[np.float32]
 
 SIGMA = 1 / 5
-"""Standard deviation of the Gaussian that leaves tone, in tiles."""
+"""Standard deviation of the Gaussian of what is taken, in tiles."""
 TEXELS = 16
-"""Texels of tone along a tile: a Gaussian of a fifth of a tile needs no more."""
+"""Texels of tone along a tile: a Gaussian of an eighth of a tile needs no more."""
 STRENGTH = 0.85
-"""Share of tone that leaves the tiles; the rest stays with its things. All of it is laid over them again: of
-what stays, tiles show little, as plain patches are chosen."""
+"""Share of tone that leaves the tiles; the rest stays with its things."""
+LAID = 0.6
+"""Standard deviation of the Gaussian of what is laid, over that of what is taken. What is laid comes from
+elsewhere in the photograph than what stays, and of independent parts the powers add: where a Gaussian passes
+a share g, so that 1 - 0.85 g stays, sqrt(1 - (1 - 0.85 g)^2) must be laid. A Gaussian of 0.6 of the width
+passes that to within 0.06; laid as wide as it is taken, a fifth of the contrast of things of half a tile was
+missing."""
 SPREAD = 4
 """Grid points along the shorter side of a photograph: a patch is half as wide as that."""
 
 
 @dataclass(frozen=True, eq=False)
 class Tone:
-    """What was taken out of the maps of a photograph, and how it is laid.
+    """What is laid over tiles that lack it, and how.
 
     Attributes
     ----------
@@ -72,7 +77,7 @@ def take_tone(exemplar: Exemplar, tile_size: int) -> tuple[Tone, Exemplar]:
     Returns
     -------
     Tone
-        What was taken out.
+        What is to be laid over tiles of what is left.
     Exemplar
         What is left, of the same type.
     """
@@ -83,9 +88,11 @@ def take_tone(exemplar: Exemplar, tile_size: int) -> tuple[Tone, Exemplar]:
     for name, pixels in source.items():
         rest[name] = pixels
         if exemplar.kinds[name] == "color":
-            tone = _find_tone(encoded(pixels), usable, texel, SIGMA * tile_size)
-            rest[name] = _shifted(pixels, -np.float32(STRENGTH) * _enlarged(tone, texel, pixels.shape[:2]))
-            tones[name] = tone
+            taken, tones[name] = (
+                _find_tone(encoded(pixels), usable, texel, sigma * tile_size)
+                for sigma in (SIGMA, LAID * SIGMA)
+            )
+            rest[name] = _shifted(pixels, -np.float32(STRENGTH) * _enlarged(taken, texel, pixels.shape[:2]))
     side = min(usable.shape)
     span = max(1, round(side / SPREAD / tile_size))
     return Tone(tile_size, span, tones), Exemplar([rest], exemplar.masks, exemplar.weights, exemplar.kinds)

@@ -4,8 +4,10 @@ import warnings
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError, TilewrightWarning
+from tilewright.signals.textures.bond import ALL_ALIKE, Bond
 from tilewright.signals.textures.character import Character
 from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.manner import NESTED, Manner
@@ -16,12 +18,16 @@ from tilewright.tiles import TileSet, classed_corner_tiles, corner_tiles
 SMALLEST_TILE, USUAL_TILE, LARGEST_TILE = 16, 128, 1024
 LARGER = 1.5
 """Tiles of things and of courses over those of other photographs: large things stay whole."""
-FITTING = 0.01
+FITTING = 0.004
 """The same below which no size fits better than another, so that the nearest to the usual one is taken."""
 CANDIDATES = 8
 """Places that are cut in before the cheapest is kept; of twice as many tiles none is seen as often."""
 EXCLUSION = 0.42
 """Places nearer than this to one that shows in the same tile are not taken, in tiles: nothing shows twice."""
+WHOLE, USUAL = 0.6, 0.17
+"""What every older pixel costs that a patch leaves, where courses of one direction hold stones and elsewhere.
+Of 0.17 patches are cut into each other wherever they resemble, and stones are made of three; of 0.6 they stay
+whole, and of 2 joints end where tiles do."""
 OFF_STEP = 0.04
 """Share of a course by which a tile may miss a whole number of courses and still keep step with them."""
 
@@ -97,15 +103,18 @@ def find_treatment(
     rhythm = _kept(character.rhythm, tile_size) if alone else (None, None)
     if any(rhythm):
         both = all(rhythm)
-        size = tile_size or _size_of_courses(rhythm, usual if both else round(LARGER * usual))
+        bond = character.bond if both else ALL_ALIKE
+        size = tile_size or _size_of_courses(rhythm, bond, usual if both else round(LARGER * usual))
+        bond = _kept_bond(bond, rhythm, size)
         plainness = (0.0, 0.0, 0.0) if both else (1.0, 0.7, 0.3)
-        manner = Manner(CANDIDATES, EXCLUSION, plainness, 0.0, 0.17, True, rhythm)
+        recurrence = USUAL if both else WHOLE
+        manner = Manner(CANDIDATES, EXCLUSION, plainness, 0.0, recurrence, True, rhythm, bond)
         return Treatment("courses", tiles or classed_corner_tiles(2, 5 if both else 2), size, tone, manner)
     if character.has_things and not tone:
         size = tile_size or 2 * round(LARGER * usual / 2)
         manner = Manner(CANDIDATES, EXCLUSION, (0.5, 0.3, 0.15), 0.0, 0.08, True)
         return Treatment("things", tiles or classed_corner_tiles(2, 2), size, tone, manner)
-    manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, 0.17, True)
+    manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, USUAL, True)
     return Treatment("even", tiles or classed_corner_tiles(2, 5), tile_size or usual, tone, manner)
 
 
@@ -151,14 +160,46 @@ def _in_step(rhythm: Rhythm | None, size: int | None, what: str) -> Rhythm | Non
     return None
 
 
-def _size_of_courses(rhythm: tuple[Rhythm | None, Rhythm | None], about: int) -> int:
-    """The even size near ``about`` that is nearest to a whole number of courses along each axis."""
+def _kept_bond(bond: Bond, rhythm: tuple[Rhythm | None, Rhythm | None], size: int) -> Bond:
+    """The bond if tiles of a size keep it; said where they do not."""
+    if _fits(bond, rhythm, np.array([size])).all():
+        return bond
+    sizes = np.arange(SMALLEST_TILE, LARGEST_TILE + 1, 2)
+    off = sum(np.abs(sizes / r.period - np.rint(sizes / r.period)) for r in rhythm if r)
+    fits = sizes[_fits(bond, rhythm, sizes) & (off <= OFF_STEP)]
+    nearest = sorted(fits[np.argsort(np.abs(fits - size))][:2])
+    advice = f"; tile_size {' or '.join(map(str, nearest))} keeps it" if nearest else ""
+    warnings.warn(
+        f"one of {bond.size} crossings of the photograph's rows and columns is like another, and tiles of "
+        f"{size} pixels do not keep to these: its pattern breaks between them{advice}",
+        TilewrightWarning,
+        stacklevel=4,
+    )
+    return ALL_ALIKE
+
+
+def _fits(
+    bond: Bond, rhythm: tuple[Rhythm | None, Rhythm | None], sizes: NDArray[np.int64]
+) -> NDArray[np.bool_]:
+    """Whether tiles of these sizes hold as many courses as keep a bond."""
+    if bond.size == 1:
+        return np.ones(len(sizes), bool)
+    i, j = (np.maximum(1, np.rint(sizes / r.period)).astype(np.int64) for r in rhythm if r)
+    return bond.fits(i, j)
+
+
+def _size_of_courses(rhythm: tuple[Rhythm | None, Rhythm | None], bond: Bond, about: int) -> int:
+    """The even size near ``about`` that is nearest to a whole number of courses along each axis.
+
+    Of sizes that keep the bond, where there are any.
+    """
     sizes = np.arange(max(SMALLEST_TILE, about * 5 // 8 // 2 * 2), min(LARGEST_TILE, about * 2) + 1, 2)
+    kept = _fits(bond, rhythm, sizes)
+    sizes = sizes[kept] if kept.any() else sizes
     cost = 0.1 * np.abs(np.log2(sizes / about))
-    for kept in rhythm:
-        if kept is not None:
-            courses = np.maximum(1, np.round(sizes / kept.period))
-            cost = cost + np.maximum(np.abs(sizes / courses / kept.period - 1), FITTING)
+    for course in filter(None, rhythm):
+        count = np.maximum(1, np.round(sizes / course.period))
+        cost = cost + np.maximum(np.abs(sizes / count / course.period - 1), FITTING)
     return int(sizes[np.argmin(cost)])
 
 
