@@ -1,7 +1,8 @@
-"""Pictures of photographs as tile sets, planes and comparisons: tiles, wide view, close view, five methods.
+"""Pictures of photographs as tile sets and planes: tiles, wide and close view, methods near and from afar.
 
-Without a folder of photographs it takes scikit-image's gravel (CC0) and two exemplars made by rule. Run it
-from the root of the repository; ``--docs`` writes the small pictures that docs/gallery.md shows.
+Without a folder of photographs it takes scikit-image's gravel (CC0) and Hubble's deep field (NASA), and two
+exemplars made by rule. Run it from the root of the repository; ``--docs`` writes the small pictures that
+docs/gallery.md shows.
 """
 
 import argparse
@@ -14,13 +15,15 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
+from PIL import Image, ImageDraw, ImageFont
 
 import tilewright as tw
 
 SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff")
-PICTURES = ("tiles", "wide", "close", "compare")
+PICTURES = ("tiles", "wide", "close", "near", "far")
 GAP = 4
+FAR = 8
+"""Pixels of the plane along one of the picture, from afar."""
 Picture = NDArray[np.uint8]
 
 
@@ -79,22 +82,32 @@ def exemplars() -> Iterator[tuple[str, Picture]]:
     import skimage.data
 
     yield "gravel", skimage.data.gravel()
-    yield "noise", make_noise()
+    yield "galaxies", skimage.data.hubble_deep_field()
+    yield "parquet", make_parquet()
     yield "bricks", make_bricks()
 
 
-def make_noise(side: int = 512, seed: int = 1) -> Picture:
-    """Sand-like noise: grains of two sizes in two colors."""
+def make_parquet(side: int = 512, width: int = 24, seed: int = 0) -> Picture:
+    """Planks four times as long as wide in a herringbone bond, each with its own tone and grain."""
     from scipy.ndimage import gaussian_filter
 
     rng = np.random.default_rng(seed)
-    fine, grains, tone = (
-        gaussian_filter(rng.normal(size=(side, side)), s, mode="wrap") for s in (0.7, 1.6, 9)
-    )
-    light = sum(weight * layer / layer.std() for weight, layer in ((14, fine), (10, grains), (6, tone)))
-    tint = 10 * tone / tone.std()
-    channels = (168 + light, 146 + light - 0.3 * tint, 112 + light - tint)
-    return np.clip(np.stack(channels, axis=2), 0, 255).astype(np.uint8)
+    y, x = np.mgrid[:side, :side]
+    i, j = y // width, x // width
+    step = (j - i) % 8
+    lies = step < 4
+    top, left = np.where(lies, i, i - (7 - step)), np.where(lies, j - step, j)
+    plank = (top * 7919 + left * 104729 + lies) % 65536
+    shade, tint = 14 * rng.normal(size=65536)[plank], 6 * rng.normal(size=65536)[plank]
+    grain = rng.normal(size=(side, side))
+    along, across = gaussian_filter(grain, (1, 9), mode="wrap"), gaussian_filter(grain, (9, 1), mode="wrap")
+    grain = 6 * np.where(lies, along / along.std(), across / across.std())
+    down, right = y - width * top, x - width * left
+    height, length = np.where(lies, width, 4 * width), np.where(lies, 4 * width, width)
+    edge = np.minimum(np.minimum(right, length - 1 - right), np.minimum(down, height - 1 - down))
+    light = shade + grain
+    wood = np.stack([150 + light + tint, 112 + light, 78 + light - tint], axis=2)
+    return np.clip(wood * np.clip(0.55 + 0.25 * edge, 0.55, 1)[..., np.newaxis], 0, 255).astype(np.uint8)
 
 
 def make_bricks(side: int = 512, seed: int = 2) -> Picture:
@@ -115,26 +128,24 @@ def make_bricks(side: int = 512, seed: int = 2) -> Picture:
 
 
 def compare(photo: Picture) -> tw.SideBySide:
-    """The photograph on 16 corner tiles, and by the other methods."""
+    """The photograph on the tiles that it gets by default, and by the other methods."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", tw.TilewrightWarning)
-        material = tw.texture_tiles(photo, tw.corner_tiles(2), tile_size="auto", seed=1)
-        return tw.compare_textures(material, seed=7)
+        return tw.compare_textures(tw.texture_tiles(photo, seed=1), seed=7)
 
 
 def gallery_pictures(planes: tw.SideBySide) -> dict[str, Picture]:
     """Pictures for a screen."""
     return {
         "tiles": tile_sheet(planes),
-        "wide": window(planes, "corner", 4096, 1024),
-        "close": window(planes, "corner", 512, 1024),
-        "compare": strip(planes, 320),
-    }
+        "wide": window(planes.contenders["corner"].field, 4096, 1024),
+        "close": window(planes.contenders["corner"].field, 512, 1024),
+    } | methods(planes, 512)
 
 
 def docs_pictures(planes: tw.SideBySide) -> dict[str, Picture]:
     """Pictures small enough to be kept."""
-    return {"compare": strip(planes, 128)}
+    return methods(planes, 320)
 
 
 def tile_sheet(planes: tw.SideBySide) -> Picture:
@@ -145,29 +156,39 @@ def tile_sheet(planes: tw.SideBySide) -> Picture:
     return as_rgb(np.concatenate(rows))
 
 
-def strip(planes: tw.SideBySide, side: int) -> Picture:
-    """The five methods: above, three photographs' widths from afar; below, a part at full size."""
-    far = 3 * max(planes.photo.shape[:2])
-    panes = [
-        np.concatenate(
-            [
-                window(planes, name, far, side),
-                np.full((GAP, side, 3), 255, np.uint8),
-                window(planes, name, side, side),
-            ]
-        )
-        for name in planes.contenders
-    ]
-    gap = np.full((2 * side + GAP, GAP, 3), 255, np.uint8)
-    return np.concatenate([part for pane in panes for part in (gap, pane)][1:], axis=1)
+def methods(planes: tw.SideBySide, side: int) -> dict[str, Picture]:
+    """All methods in two pictures: a part at full size, and from afar, where pixels are means of 8 x 8."""
+    fields = {one.label: one.field for one in planes.contenders.values()}
+    *others, ours = fields
+    old = tw.texture_tiles(planes.photo, tw.corner_tiles(2), tile_size="auto", seed=1)
+    named = {label: fields[label] for label in others}
+    named["16 corner tiles, method nested"] = tw.TextureField(old, tw.direct(old.tiles, seed=7))
+    named[f"{len(planes.material.tiles)} corner tiles, the default"] = fields[ours]
+    return {
+        name: labeled({label: window(field, step * side, side) for label, field in named.items()})
+        for name, step in (("near", 1), ("far", FAR))
+    }
 
 
-def window(planes: tw.SideBySide, method: str, extent: int, side: int) -> Picture:
-    """A square of the plane of a method, reduced or enlarged to a size."""
-    pixels = as_rgb(planes.contenders[method].field.render(0, 0, extent, extent))
-    picture = Image.fromarray(pixels)
+def labeled(panels: dict[str, Picture]) -> Picture:
+    """Panels three in a row, each under its name."""
+    side = len(next(iter(panels.values())))
+    line = max(18, side // 20)
+    rows = -(-len(panels) // 3)
+    sheet = Image.new("RGB", (3 * side + 2 * GAP, rows * (side + line + GAP)), "white")
+    draw, font = ImageDraw.Draw(sheet), ImageFont.load_default(line * 0.7)
+    for number, (label, panel) in enumerate(panels.items()):
+        x, y = number % 3 * (side + GAP), number // 3 * (side + line + GAP)
+        draw.text((x, y + line * 0.1), label, "black", font)
+        sheet.paste(Image.fromarray(panel), (x, y + line))
+    return np.asarray(sheet)
+
+
+def window(field: tw.PixelField, extent: int, side: int) -> Picture:
+    """A square of a plane, reduced or enlarged to a size."""
+    pixels = as_rgb(field.render(1000, 700, extent, extent))
     filtering = Image.Resampling.BOX if extent % side == 0 else Image.Resampling.LANCZOS
-    return np.asarray(picture.resize((side, side), filtering))
+    return np.asarray(Image.fromarray(pixels).resize((side, side), filtering))
 
 
 def as_rgb(pixels: Picture) -> Picture:

@@ -1,32 +1,62 @@
-"""Make docs/images/readme.jpg: a photograph, the photograph cropped and repeated, and the endless plane."""
+"""Make docs/images/readme.jpg: two photographs, each cropped and repeated, and as an endless plane."""
 
+import sys
 from pathlib import Path
 
 import numpy as np
 import skimage.data
-from PIL import Image
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw, ImageFont
 
 import tilewright as tw
 
-TARGET = Path(__file__).parents[1] / "docs" / "images" / "readme.jpg"
-SIDE = 640
-GAP = 16
+ROOT = Path(__file__).parents[1]
+sys.path.insert(0, str(ROOT / "examples"))
+
+from gallery import make_parquet  # noqa: E402
+
+TARGET = ROOT / "docs" / "images" / "readme.jpg"
+SIDE = 480
+GAP = 12
+LINE = 30
 
 
 def main() -> None:
     """Make the picture."""
-    photo = skimage.data.gravel()
-    material = tw.texture_tiles(photo, method="faithful", seed=1)
-    field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
-    plane = field.render(-1000, 2000, 2 * SIDE, 2 * SIDE)[..., 0]
-    repeated = np.tile(photo[:256, :256], (5, 5))
-    alone = np.full((2 * SIDE, 2 * SIDE), 255, np.uint8)
-    top = SIDE - 256
-    alone[top : top + 512, top : top + 512] = photo
-    white = np.full((2 * SIDE, 2 * GAP), 255, np.uint8)
-    whole = Image.fromarray(np.concatenate([alone, white, repeated, white, plane], axis=1))
-    whole.resize((3 * SIDE + 2 * GAP, SIDE), Image.Resampling.LANCZOS).save(TARGET, quality=80)
+    deep_field = skimage.data.hubble_deep_field()
+    rows = [
+        panels("Hubble's deep field (NASA)", deep_field, 2, seed=1),
+        panels("Parquet", make_parquet(), 1, seed=1),
+    ]
+    height = len(rows) * (SIDE + LINE)
+    sheet = Image.new("RGB", (3 * SIDE + 2 * GAP, height), "white")
+    draw, font = ImageDraw.Draw(sheet), ImageFont.load_default(20)
+    for row, shown in enumerate(rows):
+        for column, (label, pixels) in enumerate(shown.items()):
+            x, y = column * (SIDE + GAP), row * (SIDE + LINE)
+            draw.text((x, y + 3), label, "black", font)
+            sheet.paste(Image.fromarray(pixels), (x, y + LINE))
+    sheet.save(TARGET, quality=85)
     print(TARGET)
+
+
+def panels(name: str, photo: NDArray[np.uint8], reduced: int, seed: int) -> dict[str, NDArray[np.uint8]]:
+    """A photograph, a part of it repeated, and a plane; ``reduced`` pixels along one of the picture."""
+    side = SIDE * reduced
+    part = photo[: side // 3, : side // 3]
+    material = tw.texture_tiles(photo, seed=seed)
+    field = tw.TextureField(material, tw.direct(material.tiles, seed=7))
+    shown = {
+        f"{name}: the photograph": photo[:side, :side],
+        "a part of it repeated": np.tile(part, (4, 4, 1))[:side, :side],
+        "tilewright, without end": field.render(-1000, 2000, side, side),
+    }
+    return {label: fitted(pixels) for label, pixels in shown.items()}
+
+
+def fitted(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """A picture as large as a panel."""
+    return np.asarray(Image.fromarray(pixels).resize((SIDE, SIDE), Image.Resampling.LANCZOS))
 
 
 if __name__ == "__main__":

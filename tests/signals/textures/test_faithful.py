@@ -23,7 +23,7 @@ def paved():
 
 def test_courses_go_through_the_plane(paved):
     assert paved.recipe["treatment"] == "courses"
-    assert len(paved.tiles) == 32
+    assert len(paved.tiles) == 80
     plane = tw.TextureField(paved, tw.direct(paved.tiles, seed=2)).render(0, 0, 640, 640)[..., 0]
     profile = plane.mean(axis=1)
     phase = profile.reshape(-1, 32).mean(axis=0)

@@ -32,7 +32,7 @@ class Bars:
     Attributes
     ----------
     spent : bool array
-        Places from which a center patch would show a lone thing that another shows; it grows.
+        Places from which a center patch would show a lone thing that as many show as may; it grows.
     """
 
     def __init__(self, sheet: Sheet, size: int, manner: Manner) -> None:
@@ -41,6 +41,7 @@ class Bars:
         if manner.lone is not None:
             self._things, _ = label(manner.lone)  # by number
             self._boxes = find_objects(self._things)
+            self._shown = np.zeros(len(self._boxes), int)
 
     def open_corners(self, places: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
         """Of places whose windows have ``reach`` pixels around a lattice point, those open to its patch."""
@@ -95,13 +96,16 @@ class Bars:
         return np.asarray(maximum_filter(mask, box))
 
     def bar_shown(self, place: tuple[int, int], shown: NDArray[np.bool_]) -> None:
-        """Lone things that a patch shows are barred for those that come after it."""
+        """Lone things that a patch is the last to show are barred for those that come after it."""
         if self.manner.lone is None:
             return
         y, x = place
         window = self._things[y : y + self.size, x : x + self.size]
         margin = round((1 - CENTER_SHOWS) / 2 * self.size)
         for thing in np.unique(window[shown & (window > 0)]):
+            self._shown[thing - 1] += 1
+            if self._shown[thing - 1] < self.manner.shows:
+                continue
             rows, columns = self._boxes[thing - 1]
             first = [max(0, s.start - self.size + margin) for s in (rows, columns)]
             self.spent[first[0] : max(0, rows.stop - margin), first[1] : max(0, columns.stop - margin)] = True

@@ -33,7 +33,9 @@ class Manner:
     bond : Bond
         Which crossings of these are alike: patches keep in step with them, too.
     lone : bool array, shape of the sheet, or None
-        Pixels that corner and edge patches must not show, and center patches once.
+        Pixels that corner and edge patches must not show.
+    shows : int
+        How many center patches may show one of these things.
     """
 
     candidates: int = 16
@@ -45,6 +47,7 @@ class Manner:
     rhythm: tuple[Rhythm | None, Rhythm | None] = (None, None)
     bond: Bond = ALL_ALIKE
     lone: NDArray[np.bool_] | None = None
+    shows: int = 1
 
 
 NESTED = Manner()

@@ -152,7 +152,9 @@ def synthesize(
     lone: list[Spot] = []
     if treatment.bars_lone_things:
         things, spots = lone_things_of(reduce_main(held, step), size // step)
-        manner = replace(manner, lone=seen.lay(things))
+        # As many tiles may show a thing as it takes for it to be as frequent as in the photograph.
+        shows = max(1, round(len(tiles) * size**2 / sheet.usable.sum()))
+        manner = replace(manner, lone=seen.lay(things), shows=shows)
         lone = [(source, y * step, x * step) for source, y, x in spots]
     ledger = Ledger(
         {name: to_sheet(sheet, name, spot) for name, spot in pick.items()},

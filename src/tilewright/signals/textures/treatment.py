@@ -28,6 +28,8 @@ WHOLE, USUAL = 0.6, 0.17
 """What every older pixel costs that a patch leaves, where courses of one direction hold stones and elsewhere.
 Of 0.17 patches are cut into each other wherever they resemble, and stones are made of three; of 0.6 they stay
 whole, and of 2 joints end where tiles do."""
+MOST_PIXELS = 2**25
+"""Sets of more get two classes of lattice points in place of five, as large tiles come less often."""
 OFF_STEP = 0.04
 """Share of a course by which a tile may miss a whole number of courses and still keep step with them."""
 
@@ -109,13 +111,20 @@ def find_treatment(
         plainness = (0.0, 0.0, 0.0) if both else (1.0, 0.7, 0.3)
         recurrence = USUAL if both else WHOLE
         manner = Manner(CANDIDATES, EXCLUSION, plainness, 0.0, recurrence, True, rhythm, bond)
-        return Treatment("courses", tiles or classed_corner_tiles(2, 5 if both else 2), size, tone, manner)
+        return Treatment("courses", tiles or _classed(size), size, tone, manner)
     if character.has_things and not tone:
         size = tile_size or 2 * round(LARGER * usual / 2)
-        manner = Manner(CANDIDATES, EXCLUSION, (0.5, 0.3, 0.15), 0.0, 0.08, True)
-        return Treatment("things", tiles or classed_corner_tiles(2, 2), size, tone, manner)
+        manner = Manner(CANDIDATES, EXCLUSION, (0.5, 0.3, 0.15), 1.0, 0.08, True)
+        return Treatment("things", tiles or _classed(size), size, tone, manner)
+    size = tile_size or usual
     manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, USUAL, True)
-    return Treatment("even", tiles or classed_corner_tiles(2, 5), tile_size or usual, tone, manner)
+    return Treatment("even", tiles or _classed(size), size, tone, manner)
+
+
+def _classed(size: int) -> TileSet:
+    """Tiles in five classes, or in two where these would be too many pixels."""
+    tiles = classed_corner_tiles(2, 5)
+    return tiles if len(tiles) * size**2 <= MOST_PIXELS else classed_corner_tiles(2, 2)
 
 
 def _check_tone(tone: bool | None, exemplar: Exemplar) -> None:
