@@ -1,7 +1,7 @@
 """Pictures of photographs as tile sets and planes: tiles, wide and close view, methods near and from afar.
 
 Without a folder of photographs it takes scikit-image's gravel (CC0) and Hubble's deep field (NASA), and two
-exemplars made by rule. Run it from the root of the repository; ``--docs`` writes the small pictures that
+walls of its own bricks. Run it from the root of the repository; ``--docs`` writes the small pictures that
 docs/gallery.md shows.
 """
 
@@ -78,60 +78,30 @@ def photographs(folder: Path) -> Iterator[tuple[str, Picture]]:
 
 
 def exemplars() -> Iterator[tuple[str, Picture]]:
-    """What is free of rights: gravel, fine noise and bricks."""
+    """What is free of rights: gravel, galaxies, and walls of our own."""
     import skimage.data
 
     yield "gravel", skimage.data.gravel()
     yield "galaxies", skimage.data.hubble_deep_field()
-    yield "parquet", make_parquet()
-    yield "bricks", make_bricks()
+    yield "herringbone", wall("herringbone", (96, 24))
+    yield "bricks", wall("running-bond", (64, 32))
 
 
-def make_parquet(side: int = 512, width: int = 24, seed: int = 0) -> Picture:
-    """Planks four times as long as wide in a herringbone bond, each with its own tone and grain."""
-    from scipy.ndimage import gaussian_filter
-
-    rng = np.random.default_rng(seed)
-    y, x = np.mgrid[:side, :side]
-    i, j = y // width, x // width
-    step = (j - i) % 8
-    lies = step < 4
-    top, left = np.where(lies, i, i - (7 - step)), np.where(lies, j - step, j)
-    plank = (top * 7919 + left * 104729 + lies) % 65536
-    shade, tint = 14 * rng.normal(size=65536)[plank], 6 * rng.normal(size=65536)[plank]
-    grain = rng.normal(size=(side, side))
-    along, across = gaussian_filter(grain, (1, 9), mode="wrap"), gaussian_filter(grain, (9, 1), mode="wrap")
-    grain = 6 * np.where(lies, along / along.std(), across / across.std())
-    down, right = y - width * top, x - width * left
-    height, length = np.where(lies, width, 4 * width), np.where(lies, 4 * width, width)
-    edge = np.minimum(np.minimum(right, length - 1 - right), np.minimum(down, height - 1 - down))
-    light = shade + grain
-    wood = np.stack([150 + light + tint, 112 + light, 78 + light - tint], axis=2)
-    return np.clip(wood * np.clip(0.55 + 0.25 * edge, 0.55, 1)[..., np.newaxis], 0, 255).astype(np.uint8)
+def wall(bond: str, size: tuple[int, int]) -> Picture:
+    """Bricks of a size in a bond."""
+    return tw.BrickField(tw.BondBricks(bond, size), seed=2).render(0, 0, 512, 512)
 
 
-def make_bricks(side: int = 512, seed: int = 2) -> Picture:
-    """Running bond of 64 x 32 pixels with mortar, every brick of its own tone."""
-    from scipy.ndimage import gaussian_filter
-
-    rng = np.random.default_rng(seed)
-    y, x = np.mgrid[:side, :side]
-    course = y // 32
-    shifted = x + 32 * (course % 2)
-    tones = rng.normal(size=(side // 32, side // 64 + 1))[course, shifted // 64]
-    mortar = np.minimum(np.minimum(shifted % 64, 63 - shifted % 64), np.minimum(y % 32, 31 - y % 32)) < 2
-    rough = gaussian_filter(rng.normal(size=(side, side)), 1)
-    rough *= 9 / rough.std()
-    brick = np.array([150, 82, 62]) + (18 * tones + rough)[..., np.newaxis] * (1, 0.8, 0.7)
-    color = np.where(mortar[..., np.newaxis], np.array([176, 170, 160]) + rough[..., np.newaxis], brick)
-    return np.clip(color, 0, 255).astype(np.uint8)
+def synthesized(photo: Picture, tiles: tw.TileSet | None = None) -> tw.TextureTiles:
+    """A photograph on a tile set, the default where none is given."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", tw.TilewrightWarning)
+        return tw.texture_tiles(photo, tiles, tile_size="auto" if tiles else None, seed=1)
 
 
 def compare(photo: Picture) -> tw.SideBySide:
     """The photograph on the tiles that it gets by default, and by the other methods."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", tw.TilewrightWarning)
-        return tw.compare_textures(tw.texture_tiles(photo, seed=1), seed=7)
+    return tw.compare_textures(synthesized(photo), seed=7)
 
 
 def gallery_pictures(planes: tw.SideBySide) -> dict[str, Picture]:
@@ -160,7 +130,7 @@ def methods(planes: tw.SideBySide, side: int) -> dict[str, Picture]:
     """All methods in two pictures: a part at full size, and from afar, where pixels are means of 8 x 8."""
     fields = {one.label: one.field for one in planes.contenders.values()}
     *others, ours = fields
-    old = tw.texture_tiles(planes.photo, tw.corner_tiles(2), tile_size="auto", seed=1)
+    old = synthesized(planes.photo, tw.corner_tiles(2))
     named = {label: fields[label] for label in others}
     named["16 corner tiles, method nested"] = tw.TextureField(old, tw.direct(old.tiles, seed=7))
     named[f"{len(planes.material.tiles)} corner tiles, the default"] = fields[ours]

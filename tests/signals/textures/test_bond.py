@@ -4,20 +4,27 @@ import numpy as np
 import pytest
 
 import tilewright as tw
-from masonry import courses, planks
+from masonry import courses
 from tilewright.errors import TilewrightWarning
 from tilewright.signals.textures.bond import ALL_ALIKE, Bond, find_bond
 from tilewright.signals.textures.character import find_character
 from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.regularity import find_regularity
 from tilewright.signals.textures.rhythm import find_rhythm
+from tilewright.signals.textures.treatment import find_treatment
 
-BONDS = {
-    "running": Bond(1, 2, 1),
-    "stack": ALL_ALIKE,
-    "basket": Bond(3, 6, 3),
-    "herringbone": Bond(1, 8, 1),
-}
+BONDS = [
+    ("running-bond", (48, 24), Bond(1, 2, 1)),
+    ("running-bond", (32, 12), Bond(1, 2, 1)),
+    ("flemish-bond", (64, 24), Bond(1, 2, 1)),
+    ("herringbone", (96, 24), Bond(1, 8, 1)),
+    ("herringbone", (72, 24), Bond(1, 6, 1)),
+    ("basket-weave", (60, 20), Bond(3, 6, 3)),
+]
+
+
+def wall(bond, size, side=512, seed=0):
+    return tw.BrickField(tw.BondBricks(bond, size), seed=seed).render(0, 0, side, side)
 
 
 def seen(photo):
@@ -25,11 +32,22 @@ def seen(photo):
 
 
 @pytest.mark.parametrize("seed", [0, 1])
-@pytest.mark.parametrize("name", BONDS)
-def test_a_bond_is_found(name, seed):
-    character = seen(planks(name, seed=seed))
+@pytest.mark.parametrize(("name", "size", "bond"), BONDS)
+def test_a_bond_is_found(name, size, bond, seed):
+    character = seen(wall(name, size, seed=seed))
     assert all(character.rhythm)
-    assert character.bond == BONDS[name]
+    assert character.bond == bond
+
+
+def test_bricks_one_above_the_other_have_crossings_of_one_kind():
+    rng = np.random.default_rng(0)
+    stack = np.kron(rng.normal(150, 14, (21, 11)), np.ones((24, 48)))
+    stack[:, np.arange(stack.shape[1]) % 48 < 3] = 60
+    stack[np.arange(stack.shape[0]) % 24 < 3] = 60
+    stack += rng.normal(0, 5, stack.shape)
+    character = seen(np.clip(np.rint(stack), 0, 255).astype(np.uint8)[..., np.newaxis])
+    assert all(character.rhythm)
+    assert character.bond == ALL_ALIKE
 
 
 def test_a_weave_has_crossings_of_one_kind(photograph):
@@ -56,24 +74,34 @@ def test_like_crossings():
 
 
 @pytest.mark.parametrize(
-    ("name", "size", "step"), [("running", 96, (24, 24)), ("herringbone", 192, (24, 24))]
+    ("name", "brick", "every"), [("running-bond", (24, 12), 24), ("herringbone", (48, 12), 96)]
 )
-def test_the_pattern_goes_on_through_the_plane(name, size, step):
-    photo = planks(name)
-    material = tw.texture_tiles(photo, tile_size=None if name == "herringbone" else size, seed=1)
-    assert material.tile_size == size
-    plane = tw.TextureField(material, tw.direct(material.tiles, seed=2)).render(0, 0, 1024, 1024)[..., 0]
-    dark = (plane < 90).astype(float)
-    dy, dx = step
-    # Of the joints a plank's step away as many are joints as in the photograph, but for few.
-    told = [
-        np.corrcoef(p[dy:, dx:].ravel(), p[:-dy, :-dx].ravel())[0, 1]
-        for p in ((photo[..., 0] < 90).astype(float), dark)
-    ]
-    assert told[0] > 0.8
-    assert told[1] > told[0] - 0.1
+def test_the_pattern_goes_on_through_the_plane(name, brick, every):
+    photo = wall(name, brick, 256)
+    material = tw.texture_tiles(photo, seed=1)
+    assert material.tile_size % every == 0
+    plane = tw.TextureField(material, tw.direct(material.tiles, seed=2)).render(0, 0, 768, 768)
+
+    # In both bonds what lies 12 pixels south-east is alike; mortar, which is pale, is where mortar is.
+    def likeness(picture):
+        mortar = (picture[..., 2] > 100).astype(float)
+        return np.corrcoef(mortar[12:, 12:].ravel(), mortar[:-12, :-12].ravel())[0, 1]
+
+    assert likeness(photo) > 0.4
+    assert likeness(plane) > 0.9 * likeness(photo)
+    # All lattice points lie on one diagonal of the bond in the photograph.
+    places = [p for patch, p in material.recipe["patches"].items() if patch.startswith("corner:")]
+    diagonals = np.exp(2j * np.pi * np.array([x - y for _, y, x in places]) / every)
+    off = np.angle(diagonals / diagonals[0]) * every / (2 * np.pi)
+    assert np.ptp(off) <= 4
 
 
-def test_a_size_that_breaks_the_bond_is_said():
-    with pytest.warns(TilewrightWarning, match="one of 8 crossings .* tile_size 192 or 384 keeps it"):
-        tw.texture_tiles(planks("herringbone", 384), tile_size=120, seed=1)
+@pytest.mark.parametrize(
+    ("side", "advice"), [(390, "tile_size 192 keeps it$"), (350, "breaks between them$")]
+)
+def test_a_size_that_breaks_the_bond_is_said(side, advice):
+    photo = wall("herringbone", (96, 24), side)
+    with pytest.warns(TilewrightWarning, match=f"one of 8 crossings .*{advice}"):
+        made = find_treatment(Exemplar([{"albedo": photo}]), seen(photo), None, 120, None)
+    assert made.manner.bond == ALL_ALIKE
+    assert all(made.manner.rhythm)

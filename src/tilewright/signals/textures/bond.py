@@ -18,9 +18,10 @@ SAMPLES = 12
 """Samples along a course in which outlines are compared."""
 MOST_ROWS, MOST_COLUMNS = 4, 16
 """The largest bonds that are looked for, in courses: `Bond.rows` and `Bond.columns`."""
-ALIKE = 0.3
+ALIKE = 0.16
 """Correlation of outlines, what is common to all crossings taken off, from which crossings are alike. It is
-0.6 to 0.9 in drawn bonds, whose bricks differ in color, and about 0 where there is none."""
+0.6 to 0.9 in drawn bonds, whose bricks differ in color, 0.22 with rough bricks of 24 x 8 pixels, and at most
+0.11 where there is none."""
 FEW = 0.1
 """Share of the distances at which crossings of a bond may be less alike than is counted."""
 NEARLY = 0.85
@@ -133,7 +134,7 @@ def _correlation(crossings: NDArray[np.float64]) -> NDArray[np.float64]:
 def _all_bonds(shape: tuple[int, ...]) -> list[Bond]:
     """Every bond but that of one crossing which a picture of so many courses shows again."""
     most_rows, most_columns = (
-        min(most, n * 2 // 3) for most, n in zip((MOST_ROWS, MOST_COLUMNS), shape, strict=True)
+        min(most, n * 3 // 4) for most, n in zip((MOST_ROWS, MOST_COLUMNS), shape, strict=True)
     )
     return [
         Bond(rows, columns, shift)
@@ -145,7 +146,10 @@ def _all_bonds(shape: tuple[int, ...]) -> list[Bond]:
 
 
 def _likeness_of(bond: Bond, likeness: NDArray[np.float64]) -> float:
-    """How alike nearly all crossings are that a bond says are, less the mean of all others."""
+    """How alike nearly all crossings are that a bond says are, less the mean of all others.
+
+    Those that its own two steps lead to are among them.
+    """
     height, width = (n // 2 for n in likeness.shape)
     i, j = np.meshgrid(np.arange(height), np.arange(-width + 1, width), indexing="ij")
     told = likeness[i, j]
@@ -153,4 +157,7 @@ def _likeness_of(bond: Bond, likeness: NDArray[np.float64]) -> float:
     alike = bond.alike(i, j)
     if not (known & alike).any() or not (known & ~alike).any():
         return 0.0
-    return float(np.quantile(told[known & alike], FEW) - max(0.0, told[known & ~alike].mean()))
+    least = min(
+        np.quantile(told[known & alike], FEW), likeness[0, bond.columns], likeness[bond.rows, bond.shift]
+    )
+    return float(least - max(0.0, told[known & ~alike].mean()))

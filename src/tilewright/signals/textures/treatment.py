@@ -107,7 +107,7 @@ def find_treatment(
         both = all(rhythm)
         bond = character.bond if both else ALL_ALIKE
         size = tile_size or _size_of_courses(rhythm, bond, usual if both else round(LARGER * usual))
-        bond = _kept_bond(bond, rhythm, size)
+        bond = _kept_bond(bond, rhythm, size, most=min(min(m.shape) for m in exemplar.masks) // 2)
         plainness = (0.0, 0.0, 0.0) if both else (1.0, 0.7, 0.3)
         recurrence = USUAL if both else WHOLE
         manner = Manner(CANDIDATES, EXCLUSION, plainness, 0.0, recurrence, True, rhythm, bond)
@@ -169,11 +169,11 @@ def _in_step(rhythm: Rhythm | None, size: int | None, what: str) -> Rhythm | Non
     return None
 
 
-def _kept_bond(bond: Bond, rhythm: tuple[Rhythm | None, Rhythm | None], size: int) -> Bond:
-    """The bond if tiles of a size keep it; said where they do not."""
+def _kept_bond(bond: Bond, rhythm: tuple[Rhythm | None, Rhythm | None], size: int, most: int) -> Bond:
+    """The bond if tiles of a size keep it; where they do not, it is said which sizes up to ``most`` do."""
     if _fits(bond, rhythm, np.array([size])).all():
         return bond
-    sizes = np.arange(SMALLEST_TILE, LARGEST_TILE + 1, 2)
+    sizes = np.arange(SMALLEST_TILE, min(most, LARGEST_TILE) + 1, 2)
     off = sum(np.abs(sizes / r.period - np.rint(sizes / r.period)) for r in rhythm if r)
     fits = sizes[_fits(bond, rhythm, sizes) & (off <= OFF_STEP)]
     nearest = sorted(fits[np.argsort(np.abs(fits - size))][:2])
