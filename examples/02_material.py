@@ -15,8 +15,8 @@ import tilewright as tw
 def main(out: Path) -> None:
     """Draw a wall as a stack of maps, cut tiles from it, and show its heights."""
     out.mkdir(parents=True, exist_ok=True)
-    wall = tw.BrickField(tw.endless_brick_tiling(3, seed=1), size=(48, 24))
-    drawn = wall.render_maps(0, 0, 256, 256)
+    wall = tw.BrickField(tw.endless_brick_tiling(3, seed=1), size=(32, 16))
+    drawn = wall.render_maps(0, 0, 192, 192)
     (out / "maps").mkdir(exist_ok=True)
     for name in ("color", "height", "normal", "roughness"):
         tw.write_image(out / "maps" / f"wall_{name}.png", drawn[name])

@@ -20,13 +20,13 @@ def gravel() -> NDArray[np.uint8]:
 
 
 @pytest.fixture
-def quarter_photographs(monkeypatch):
-    """A quarter of each of scikit-image's photographs that pages and examples name: the code is the same."""
+def small_photographs(monkeypatch):
+    """A part of each of scikit-image's photographs that pages and examples name: the code is the same."""
     import skimage.data
 
     for name in ("gravel", "grass"):
-        quarter = getattr(skimage.data, name)()[:256, :256]
-        monkeypatch.setattr(skimage.data, name, quarter.copy)
+        part = getattr(skimage.data, name)()[:200, :200]
+        monkeypatch.setattr(skimage.data, name, part.copy)
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,7 @@ BLOCKS = [
 ]
 
 
-@pytest.mark.usefixtures("quarter_photographs")
+@pytest.mark.usefixtures("small_photographs")
 @pytest.mark.parametrize("block", BLOCKS)
 def test_code_blocks_run(block, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -160,7 +160,7 @@ def test_a_set_without_a_direct_tiling_is_shown_as_a_patch(open_page):
 
 
 def test_controls(open_page):
-    page = open_page(handmade(tw.corner_tiles(2), 16, maps=2), width=240, height=320)
+    page = open_page(handmade(tw.corner_tiles(2), 16, maps=2), width=120, height=160)
     view(page, pixelsPerTile=32)
     first = read(page)
     page.fill("#seed", "99")
@@ -294,7 +294,7 @@ def test_gray_and_16_bit_photographs_are_compared_as_8_bit(open_page, gravel):
 
 
 def test_seen_from_afar_each_method_keeps_the_mean_color(open_page, pair):
-    page = open_page(pair.material, seed=7, width=200, height=200, compare=pair)
+    page = open_page(pair.material, seed=7, width=120, height=120, compare=pair)
     for method, one in pair.contenders.items():
         show(page, method)
         plane = one.field.render(0, 0, 400, 400) / 255
@@ -307,7 +307,7 @@ def test_seen_from_afar_each_method_keeps_the_mean_color(open_page, pair):
 
 
 def test_two_methods_side_by_side(open_page, pair):
-    page = open_page(pair.material, seed=7, width=800, height=120, compare=pair)
+    page = open_page(pair.material, seed=7, width=800, height=60, compare=pair)
     assert view(page)["method"] == "corner"
     alone = {}
     for method in ("hex", "wang"):
@@ -319,9 +319,9 @@ def test_two_methods_side_by_side(open_page, pair):
     both = read(page)
     assert np.array_equal(both[:, :400], alone["wang"][:, :400])
     assert np.array_equal(both[:, 400:], alone["hex"][:, 400:])
-    page.mouse.move(400, 60)
+    page.mouse.move(400, 30)
     page.mouse.down()
-    page.mouse.move(200, 60, steps=3)
+    page.mouse.move(200, 30, steps=3)
     page.mouse.up()
     assert view(page)["split"] == pytest.approx(0.25, abs=0.01)
     moved = read(page)
@@ -341,7 +341,7 @@ def test_two_methods_side_by_side(open_page, pair):
 
 
 def test_the_table_shows_what_was_measured(open_page, pair):
-    page = open_page(pair.material, width=800, height=600, compare=pair)
+    page = open_page(pair.material, width=400, height=100, compare=pair)
     rows = page.locator("#methods tbody tr").all_inner_texts()
     assert len(rows) == 5
     assert rows[0].split("\t")[:3] == ["Plain repeat", "1", f"{pair.figures['repeat']['repetition']:.2f}"]

@@ -145,7 +145,7 @@ def test_same_seed_same_bytes():
 
 
 def test_stored_vectors_are_made_by_this_code():
-    index = 4
+    index = 1  # the one that takes least time
     np.testing.assert_allclose(relax_index(index) @ np.array([1, 1j]), load_vectors()[index], atol=1e-3)
 
 

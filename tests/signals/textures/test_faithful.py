@@ -39,9 +39,9 @@ def test_grain_gets_five_classes(gravel):
 
 
 def test_a_size_off_the_courses_is_said():
-    with pytest.warns(TilewrightWarning, match="64 or 96 keeps"):
+    with pytest.warns(TilewrightWarning, match="32 or 48 keeps"):
         material = tw.texture_tiles(
-            as_photo(courses([32] * 12, 384)), method="faithful", tile_size=80, seed=1
+            as_photo(courses([16] * 12, 192)), method="faithful", tile_size=40, seed=1
         )
     assert material.recipe["treatment"] != "courses"
 
@@ -98,8 +98,8 @@ def test_two_photographs_are_marked_in_every_class(gravel):
 
 
 def test_courses_of_two_photographs_are_left_alone():
-    wall = as_photo(courses([16] * 12, 192))
-    material = tw.texture_tiles(wall, second=255 - wall, method="faithful", tile_size=32, seed=1)
+    wall = as_photo(courses([16] * 9, 144))
+    material = tw.texture_tiles(wall, second=255 - wall, method="faithful", tile_size=16, seed=1)
     assert material.recipe["treatment"] == "things"
 
 

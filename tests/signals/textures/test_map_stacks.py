@@ -311,7 +311,7 @@ def test_two_photographs(surface, tmp_path):
     assert list(found.sources[0]) == list(found.sources[1])
     assert found.kinds["normal"] == "normal-gl"
     assert np.abs(found.sources[0]["normal"].astype(int) - found.sources[1]["normal"]).max() <= 1
-    material = tw.texture_tiles(maps, tw.corner_tiles(4), second=turned, kinds=found.kinds, tile_size=16)
+    material = tw.texture_tiles(maps, tw.corner_tiles(2), second=turned, kinds=found.kinds, tile_size=16)
     tw.save(material, tmp_path / "set")
     assert tw.load(tmp_path / "set").maps.keys() == material.maps.keys()
     both = tw.add_maps(material, {"e": maps["albedo"]}, second={"e": maps["albedo"]})
