@@ -9,8 +9,14 @@ import tilewright as tw
 from handmade import handmade
 from tilewright.analysis import lay_sample
 from tilewright.analysis.textures.repetition import lattice_share, same_place_share, tile_lag_autocorrelation
+from tilewright.analysis.textures.report import Report
 from tilewright.analysis.textures.sample import Sample
-from tilewright.analysis.textures.seams import cut_line_ratio, edge_cut_share, tone_step_ratio
+from tilewright.analysis.textures.seams import (
+    cut_color_ratio,
+    cut_line_ratio,
+    edge_cut_share,
+    tone_step_ratio,
+)
 from tilewright.analysis.textures.structure import seam_novelty
 from tilewright.signals.textures import TextureTiles, copy_from_sources
 
@@ -59,6 +65,35 @@ def test_cut_line_ratio_against_plain_loops(gravel):
                     onward = tuple(origins[y + dy, x + dx] - origins[y, x]) == (0, dy, dx)
                     (inside if onward else across).append(step)
     assert cut_line_ratio(sample) == pytest.approx(np.mean(across) / np.mean(inside), rel=1e-5)
+
+
+def test_cuts_along_outlines_are_as_good_as_none():
+    # Stripes of 32 pixels and three colors, under grain.
+    photo = np.tile(np.repeat([60, 120, 180], 32), 5) + np.random.default_rng(0).normal(0, 20, (64, 480))
+    photo = photo.clip(0, 255).astype(np.uint8)[..., np.newaxis]
+
+    def sample(cut):
+        """Tiles of two stripes: as far as ``cut`` from one place, and the rest from another."""
+        origins = np.zeros((8, 64, 64, 3), np.uint16)
+        origins[..., 1:] = np.moveaxis(np.indices((64, 64)), 0, -1)
+        for tile in range(8):
+            origins[tile, :, :cut, 2] += 32 * tile
+            origins[tile, :, cut:, 2] += 32 * (tile + 4)
+        source = ({"a": photo},)
+        material = TextureTiles(tw.free_tiles(8), copy_from_sources(source, origins), source, origins)
+        return Sample(material, np.arange(8).reshape(2, 4))
+
+    assert cut_color_ratio(sample(32)) == pytest.approx(1, abs=0.2)
+    assert cut_color_ratio(sample(48)) > 2
+    assert cut_line_ratio(sample(32)) > 1.1
+
+
+@pytest.mark.parametrize(("treatment", "said"), [("courses", 0), ("things", 0), ("even", 1), ("", 1)])
+def test_steps_at_outlines_are_not_objected_to(noise, treatment, said):
+    material = dataclasses.replace(crops(noise, 32, 4), recipe={"treatment": treatment})
+    report = Report({"cut_line_ratio": 1.5}, Sample(material, np.zeros((4, 4), np.int32)))
+    assert len(report.objections) == said
+    assert ("over 1.1" in str(report)) == said
 
 
 def test_wrong_neighbors_are_told(gravel):

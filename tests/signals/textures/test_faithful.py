@@ -9,7 +9,11 @@ from masonry import courses
 from tilewright.analysis import lay_sample
 from tilewright.analysis.textures.seams import cut_line_ratio
 from tilewright.errors import TilewrightValueError, TilewrightWarning
+from tilewright.signals.textures.character import find_character
 from tilewright.signals.textures.lone import lone_things_of
+from tilewright.signals.textures.regularity import find_regularity
+from tilewright.signals.textures.sheet import make_sheet
+from tilewright.signals.textures.treatment import find_treatment
 
 
 def as_photo(picture):
@@ -36,6 +40,42 @@ def test_grain_gets_five_classes(gravel):
     material = tw.texture_tiles(gravel[:160, :160], method="faithful", seed=1, tile_size=16)
     assert (material.tiles.name, material.recipe["treatment"]) == ("classed-5", "even")
     assert material.recipe["method"] == "faithful"
+
+
+@pytest.mark.parametrize(
+    ("tiles", "size", "plain"),
+    [
+        (tw.classed_corner_tiles(2, 5), 32, True),
+        (tw.corner_tiles(2), 32, False),  # corner patches would come too often
+        (tw.classed_corner_tiles(2, 5), 144, False),  # they take more of the photograph than it has
+    ],
+)
+def test_corner_patches_of_courses_meet_without_others_where_they_are_many(tiles, size, plain):
+    wall = as_photo(courses([16] * 12, 192))
+    exemplar = tw.Exemplar([{"albedo": wall}])
+    character = find_character(exemplar, find_regularity(wall), 48)
+    treatment = find_treatment(exemplar, character, tiles, size, None)
+    assert (treatment.name, treatment.manner.plain_edges) == ("courses", plain)
+
+
+def test_edges_have_patches_where_there_are_no_courses(paved, gravel):
+    assert not any(name.startswith("edge") for name in paved.recipe["patches"])
+    even = tw.texture_tiles(gravel[:96, :96], method="faithful", tile_size=16, seed=1)
+    assert sum(name.startswith("edge") for name in even.recipe["patches"]) == 40
+
+
+def test_colors_count_more_than_grain():
+    rng = np.random.default_rng(0)
+    stones = np.where(np.arange(128) < 64, 100, 130) + rng.normal(0, 20, (128, 128))
+    exemplar = tw.Exemplar([{"albedo": as_photo(stones)}])
+
+    def share(sheet):
+        """Of what a pixel of one stone differs from those of the other, what is not grain."""
+        left, right = sheet.features[:, :60], sheet.features[:, 68:]
+        color = ((left.mean((0, 1)) - right.mean((0, 1))) ** 2).sum()
+        return color / (color + left.var((0, 1)).sum() + right.var((0, 1)).sum())
+
+    assert share(make_sheet(exemplar)) < 0.6 < 0.9 < share(make_sheet(exemplar, 8.0, 128))
 
 
 def test_a_size_off_the_courses_is_said():

@@ -1,10 +1,14 @@
 """How much is seen of the cuts."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
 from tilewright.analysis.textures.sample import Sample
+from tilewright.signals.textures.kinds import to_lab
+from tilewright.signals.textures.sheet import GRAIN
 
 
 def cut_line_ratio(sample: Sample) -> float:
@@ -34,6 +38,49 @@ def worst_tile_ratio(sample: Sample) -> float:
         inside.append(step[~cut])
     level = np.concatenate(inside).mean()
     return float((across / np.maximum(count, 1)).max() / level) if level > 0 else 0.0
+
+
+def cut_color_ratio(sample: Sample) -> float:
+    """Difference in color of the two sides of a cut, over what either patch has there by itself.
+
+    Sides are seen in L*a*b* without grain (a Gaussian of a 64th of a tile), two of its standard deviations
+    from the cut. 1 means that color changes across cuts as it does in the photograph. A cut along an outline
+    is as good as one within a thing; things of two colors raise it.
+    """
+    main = sample.material.main
+    sigma = GRAIN * sample.size
+    reach = max(1, round(2 * sigma))
+    soft = [
+        gaussian_filter(to_lab(s[main], sample.material.kinds[main]), (sigma, sigma, 0), mode="nearest")
+        for s in sample.material.sources
+    ]
+    origins = sample.material.origins.astype(np.int32)
+    across = own = 0.0
+    for axis, step in ((2, (0, reach)), (1, (reach, 0))):
+        onward = np.array((0, *(s // reach for s in step)), np.int32)
+        near, far = np.delete(origins, -1, axis), np.delete(origins, 0, axis)
+        cut = (far - near != onward).any(axis=3)
+        # The colors of both patches, before the cut and after it.
+        ours = [_colors(soft, near[cut], tuple(way * s for s in step)) for way in (-1, 1)]
+        theirs = [_colors(soft, far[cut], tuple(way * s for s in step)) for way in (-1, 1)]
+        known = np.isfinite(np.concatenate([*ours, *theirs], axis=1)).all(axis=1)
+        before, on, back, after = (colors[known] for colors in (*ours, *theirs))
+        across += float(np.linalg.norm(before - after, axis=1).sum(dtype=np.float64))
+        for one, other in ((before, on), (back, after)):
+            own += 0.5 * float(np.linalg.norm(one - other, axis=1).sum(dtype=np.float64))
+    return across / own if own > 0 else 0.0
+
+
+def _colors(
+    sources: Sequence[NDArray[np.float32]], spots: NDArray[np.int32], step: tuple[int, ...]
+) -> NDArray[np.float32]:
+    """Colors a step from (source, y, x), shape (k, channels); not a number outside of the source."""
+    found = np.full((len(spots), sources[0].shape[2]), np.nan, np.float32)
+    for number, source in enumerate(sources):
+        y, x = (spots[:, 1 + axis] + step[axis] for axis in (0, 1))
+        mine = (spots[:, 0] == number) & (y >= 0) & (y < source.shape[0]) & (x >= 0) & (x < source.shape[1])
+        found[mine] = source[y[mine], x[mine]]
+    return found
 
 
 def edge_cut_share(sample: Sample) -> float:

@@ -14,8 +14,8 @@ SAMPLES = 1200
 """Random positions among which the corner patches are chosen."""
 ARM = 0.22
 """Half the length of the strips that are compared, in tiles."""
-SHOWN = 0.35
-"""Side of what stays of a corner patch, in tiles."""
+SHOWN, SHOWN_ALONE = 0.35, 0.6
+"""Side of what stays of a corner patch, in tiles, and the same where no patches of the edges cover it."""
 SWEEPS = 5
 """Times that every corner patch is chosen anew for the others."""
 
@@ -33,7 +33,7 @@ def choose_corners(search: PatchSearch, plan: Plan, overlap: int, rng: np.random
     misfit = _misfit(search, candidates.rows, candidates.columns, overlap)
     penalty = np.ones(len(candidates.rows))
     if search.period is None:
-        side = round(SHOWN * search.size)
+        side = round((SHOWN_ALONE if search.manner.plain_edges else SHOWN) * search.size)
         plainness = search.manner.plainness[0]
         penalty += plainness * search.conspicuous_at(candidates.rows, candidates.columns, side)
     # Step 3: one place after the other, each the one that meets those before it best.
@@ -60,7 +60,7 @@ def choose_meeting_corners(
     east, south = _misfits(search, candidates.rows, candidates.columns, overlap)
     penalty = np.ones(len(candidates.rows))
     if search.period is None:
-        side = round(SHOWN * search.size)
+        side = round((SHOWN_ALONE if search.manner.plain_edges else SHOWN) * search.size)
         plainness = search.manner.plainness[0]
         penalty += plainness * search.conspicuous_at(candidates.rows, candidates.columns, side)
     if search.manner.popping:

@@ -96,7 +96,7 @@ def reduce_main(exemplar: Exemplar, step: int) -> Exemplar:
 
 def _check(search: PatchSearch, name: str) -> None:
     if name.startswith("corner:"):
-        check_picked_corner(search, name, corner_reach(search.size))
+        check_picked_corner(search, name, corner_reach(search))
     else:
         search.checked_pick(name)
 
@@ -109,7 +109,7 @@ def _scaled(place: Place, step: int) -> Place:
 def _nearest(search: PatchSearch, name: str, place: Place) -> Place:
     """The place nearest to one that a patch may be taken from, as squares of pixels leave a wider border."""
     sources = range(len(search.sheet.tops))
-    reach = corner_reach(search.size) if name.startswith("corner:") else 0
+    reach = corner_reach(search) if name.startswith("corner:") else 0
     places: NDArray[np.bool_] = search.matcher.places_of_size(2 * reach or search.size, sources)
     y, x = places.nonzero()
     if not len(y):

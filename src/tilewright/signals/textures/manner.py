@@ -32,6 +32,11 @@ class Manner:
         Courses of rows and of columns that patches keep in step with.
     bond : Bond
         Which crossings of these are alike: patches keep in step with them, too.
+    breadth : float
+        How much more the color of a thing counts than its grain: see `make_sheet`.
+    plain_edges : bool
+        Whether corner patches are cut against each other along edges, and no patches of the edges' own lie
+        over these cuts.
     lone : bool array, shape of the sheet, or None
         Pixels that corner and edge patches must not show.
     shows : int
@@ -46,6 +51,8 @@ class Manner:
     jointly: bool = False
     rhythm: tuple[Rhythm | None, Rhythm | None] = (None, None)
     bond: Bond = ALL_ALIKE
+    breadth: float = 0.0
+    plain_edges: bool = False
     lone: NDArray[np.bool_] | None = None
     shows: int = 1
 

@@ -7,6 +7,7 @@ import numpy as np
 from tilewright.checks import check_choice, check_int
 from tilewright.errors import TilewrightValueError
 from tilewright.signals.textures.diamonds import lay_burke, lay_diamonds, lay_diamonds_with_centers
+from tilewright.signals.textures.manner import Manner
 from tilewright.signals.textures.nested import lay_nested
 from tilewright.signals.textures.patchwork import Patchwork
 from tilewright.signals.textures.plan import make_plan
@@ -25,7 +26,7 @@ WITH_CENTERS = ("faithful", "nested", "ng", "centered-diamonds")
 Lay = Callable[[PatchSearch, np.random.Generator], Patchwork]
 
 
-def find_method(method: str, tiles: TileSet, sources: int, variants: int) -> tuple[Lay, int]:
+def find_method(method: str, tiles: TileSet, sources: int, variants: int, manner: Manner) -> tuple[Lay, int]:
     """The function that lays all tiles, and the number of patches it lays."""
     centers = len(tiles) * variants
     if method in EDGE_METHODS:
@@ -42,7 +43,8 @@ def find_method(method: str, tiles: TileSet, sources: int, variants: int) -> tup
         return lambda search, rng: lay(search, tiles, rng), colors
     plan = make_plan(tiles, sources)
     if method in ("faithful", "nested"):
-        total = len(plan.corner_sources) + len(plan.edges) + centers
+        edges = 0 if manner.plain_edges else len(plan.edges)
+        total = len(plan.corner_sources) + edges + centers
         return lambda search, rng: lay_nested(search, plan, rng, variants), total
     if method == "ng":
         return lambda search, rng: lay_ng(search, plan, rng, variants), len(plan.corner_sources) + centers

@@ -31,6 +31,8 @@ from tilewright.signals.textures.search import (
 OVERLAP = 0.11
 """Half the width in which two corner patches are cut, in tiles. At 0.06 and 0.20 steps are 1.33 and 1.34
 times: no difference in noise. Wide ones have room to go around things, and take more of the photograph."""
+WIDE_OVERLAP = 0.2
+"""The same where no patch covers that cut."""
 EDGE_CORE = (0.22, 0.12)
 """Half-length and half-width of the part an edge patch must fill, in tiles. At half of both steps are 1.32
 times, and 0.20 is shared; at (0.35, 0.20) they are 1.43 times, and 0.16 is."""
@@ -45,7 +47,7 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, varian
     """All variants of all tiles of a plan, stacked: coordinates of shape (T variants, size, size)."""
     frame = Frame(search.size)
     choose = choose_meeting_corners if search.manner.jointly else choose_corners
-    corners = choose(search, plan, corner_reach(search.size) - search.size // 2, rng)
+    corners = choose(search, plan, overlap_of(search), rng)
     edges: list[Patchwork] = []
     edge_places: list[list[Place]] = []
     for edge in plan.edges:
@@ -66,9 +68,14 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, varian
     return lay_centers(search, openings, variants)
 
 
-def corner_reach(size: int) -> int:
+def overlap_of(search: PatchSearch) -> int:
+    """Half the width in which two corner patches are cut, in pixels."""
+    return round((WIDE_OVERLAP if search.manner.plain_edges else OVERLAP) * search.size)
+
+
+def corner_reach(search: PatchSearch) -> int:
     """Pixels of the photograph that a corner patch needs around its lattice point."""
-    return size // 2 + round(OVERLAP * size)
+    return search.size // 2 + overlap_of(search)
 
 
 def lay_centers(search: PatchSearch, openings: Sequence[Opening], variants: int) -> Patchwork:
@@ -99,13 +106,15 @@ def lay_edge(
     corners: list[Place],
     earlier: list[Place],
 ) -> tuple[Patchwork, list[Place]]:
-    """The canvas of an edge, and the place of its own patch."""
+    """The canvas of an edge, and the place of its own patch, if it has one."""
     along, across = frame.along_across(edge.axis)
     # The center patches cover what is far from the edge, so seams matter less there.
     distance = np.abs(across) / frame.size
     weight = np.clip(1 - 0.95 * distance / 0.3, 0.05, 1).astype(np.float32)
     # Step 1: cut the two corner patches where they overlap.
     canvas = cut_ends(search, frame, edge, corners, weight)
+    if search.manner.plain_edges:
+        return canvas, []
     # Step 2: lay the edge's own patch over the middle of the seam.
     sources = plan.sources_of_edge(edge)
     shrink = MIXED_CORE if len(sources) > 1 else 1
@@ -139,7 +148,7 @@ def cut_ends(
     along, _ = frame.along_across(edge.axis)
     first, second = end_places(frame, edge, corners)
     state = np.where(along < 0, FORCED_OLD, FORCED_NEW).astype(np.uint8)
-    state[frame.diamond & (np.abs(along) < round(OVERLAP * frame.size))] = OPEN
+    state[frame.diamond & (np.abs(along) < overlap_of(search))] = OPEN
     canvas = Patchwork.of_patch(frame.size, frame.size, first)
     return canvas.with_patch(second, search.cut(Opening(canvas, state, weight, ()), second))
 

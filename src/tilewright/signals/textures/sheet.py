@@ -10,9 +10,12 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, uniform_filter
 
 from tilewright.signals.textures.exemplar import Exemplar
+from tilewright.signals.textures.kinds import to_lab
 
 MOST_FEATURES = 4
 """Numbers by which pixels are compared."""
+GRAIN = 1 / 64
+"""Standard deviation of the Gaussian in which grain is not seen, in tiles."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,8 +25,8 @@ class Sheet:
     Attributes
     ----------
     features : float32 array, shape (rows, columns, k)
-        All channels of all maps, scaled so that their variances add up to 1; of more than `MOST_FEATURES`
-        channels their strongest principal components.
+        What is seen of all maps, scaled so that variances add up to 1; of more than `MOST_FEATURES` channels
+        their strongest principal components.
     usable : bool array, shape (rows, columns)
         Pixels that may be copied.
     tops : tuple of int
@@ -107,21 +110,34 @@ def blur(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
     return image
 
 
-def make_sheet(exemplar: Exemplar) -> Sheet:
-    """Stack the sources; a map counts by its weight, whatever its range and number of channels."""
+def make_sheet(exemplar: Exemplar, breadth: float = 0.0, size: int = 0) -> Sheet:
+    """Stack the sources; a map counts by its weight, whatever its range and number of channels.
+
+    Parameters
+    ----------
+    breadth : float
+        How much more than grain the color counts that is left when grain is not seen. A cut in the midst of
+        two stones changes their color for good, which the eye sees from far, yet from pixel to pixel grain
+        changes it more. Colors are compared in L*a*b* then.
+    size : int
+        Pixels along a tile, which say what is grain.
+    """
     sizes = tuple(next(iter(s.values())).shape[:2] for s in exemplar.sources)
     tops = tuple(int(t) for t in np.cumsum([0, *(h for h, _ in sizes[:-1])]))
-    channels = sum(m.shape[2] for m in exemplar.sources[0].values())
     shape = (sum(h for h, _ in sizes), max(w for _, w in sizes))
-    features = np.zeros((*shape, channels), np.float32)
+    seen = [
+        [_perceived(pixels, exemplar.kinds[name], breadth, GRAIN * size) for name, pixels in maps.items()]
+        for maps in exemplar.sources
+    ]
+    channels = [pixels.shape[2] for pixels in seen[0]]
+    features = np.zeros((*shape, sum(channels)), np.float32)
     usable = np.zeros(shape, bool)
-    for top, (h, w), maps, mask in zip(tops, sizes, exemplar.sources, exemplar.masks, strict=True):
-        seen = [_perceived(pixels, exemplar.kinds[name]) for name, pixels in maps.items()]
-        features[top : top + h, :w] = np.concatenate(seen, axis=2)
+    for top, (h, w), maps, mask in zip(tops, sizes, seen, exemplar.masks, strict=True):
+        features[top : top + h, :w] = np.concatenate(maps, axis=2)
         usable[top : top + h, :w] = mask
     start = 0
-    for name, pixels in exemplar.sources[0].items():
-        stop = start + pixels.shape[2]
+    for name, count in zip(exemplar.sources[0], channels, strict=True):
+        stop = start + count
         spread = features[usable][:, start:stop].var(axis=0, dtype=np.float64).sum()
         if spread > 0:
             features[..., start:stop] *= np.sqrt(exemplar.weights[name] / spread)
@@ -129,13 +145,16 @@ def make_sheet(exemplar: Exemplar) -> Sheet:
     total = features[usable].var(axis=0, dtype=np.float64).sum()
     if total > 0:
         features /= np.float32(np.sqrt(total))
-    if channels > MOST_FEATURES:
+    if sum(channels) > MOST_FEATURES:
         features = _condense(features, usable)
     return Sheet(features, usable, tops, sizes)
 
 
-def _perceived(pixels: NDArray[Any], kind: str) -> NDArray[np.float32]:
+def _perceived(pixels: NDArray[Any], kind: str, breadth: float, grain: float) -> NDArray[np.float32]:
     """Values whose differences are about what the eye sees: linear light is bent as sRGB bends it."""
+    if breadth:
+        values = to_lab(pixels, kind) if kind == "color" else pixels.astype(np.float32)
+        return values + np.float32(breadth) * blur(values, grain)
     values = pixels.astype(np.float32)
     if kind == "color" and pixels.dtype.kind == "f":
         return np.sign(values) * np.abs(values) ** np.float32(1 / 2.2)

@@ -145,7 +145,7 @@ def synthesize(
     # Step 2: tone apart from what the tiles hold.
     toned, held = take_tone(exemplar, size) if treatment.tone else (None, exemplar)
     # Step 3: patches.
-    sheet = make_sheet(held)
+    sheet = make_sheet(held, treatment.manner.breadth, size)
     # Places of large tiles are found where several pixels are seen as one.
     manner, step = treatment.manner, draft_step(held, size) if treatment.manner.jointly else 1
     seen = sheet if step == 1 else sheet.reduced(step)
@@ -162,7 +162,7 @@ def synthesize(
     )
     picked, period, rng = dict(ledger.picked), treatment.period(regularity), np.random.default_rng(seed)
     with ThreadPoolExecutor(workers) as pool:
-        lay, total = find_method(method, tiles, len(exemplar.sources), variants)
+        lay, total = find_method(method, tiles, len(exemplar.sources), variants, manner)
         own = manner if step == 1 else treatment.manner
         search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, own)
         if step > 1:

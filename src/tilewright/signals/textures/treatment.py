@@ -24,10 +24,16 @@ CANDIDATES = 8
 """Places that are cut in before the cheapest is kept; of twice as many tiles none is seen as often."""
 EXCLUSION = 0.42
 """Places nearer than this to one that shows in the same tile are not taken, in tiles: nothing shows twice."""
-WHOLE, USUAL = 0.6, 0.17
-"""What every older pixel costs that a patch leaves, where courses of one direction hold stones and elsewhere.
-Of 0.17 patches are cut into each other wherever they resemble, and stones are made of three; of 0.6 they stay
-whole, and of 2 joints end where tiles do."""
+RECURRENCE, RECURRENCE_OF_THINGS = 0.17, 0.05
+"""What every older pixel costs that a patch leaves, and the same where things or courses shall stay whole."""
+BREADTH = 8.0
+"""How much more the color of a thing counts than its grain, where there are things or courses. Of
+cobblestones and herringbone, the difference in L*a*b* of two patches along their cuts, without grain, is 3.2
+and 4.6 at 0, and 2.1 and 2.8 at 8; at 3 more stones are of two colors."""
+FEWEST_CORNERS = 8
+"""Colors of corners from which on edges have no patches of their own where there are things or courses."""
+ROOM = 1.5
+"""Tiles along a photograph from which on that is so, as corner patches then take more of it."""
 MOST_PIXELS = 2**25
 """Sets of more get two classes of lattice points in place of five, as large tiles come less often."""
 OFF_STEP = 0.04
@@ -107,17 +113,38 @@ def find_treatment(
         both = all(rhythm)
         bond = character.bond if both else ALL_ALIKE
         size = tile_size or _size_of_courses(rhythm, bond, usual if both else round(LARGER * usual))
+        tiles = tiles or _classed(size)
         bond = _kept_bond(bond, rhythm, size, most=min(min(m.shape) for m in exemplar.masks) // 2)
         plainness = (0.0, 0.0, 0.0) if both else (1.0, 0.7, 0.3)
-        recurrence = USUAL if both else WHOLE
-        manner = Manner(CANDIDATES, EXCLUSION, plainness, 0.0, recurrence, True, rhythm, bond)
-        return Treatment("courses", tiles or _classed(size), size, tone, manner)
+        manner = Manner(
+            CANDIDATES,
+            EXCLUSION,
+            plainness,
+            0.0 if both else 1.0,
+            RECURRENCE_OF_THINGS,
+            True,
+            rhythm,
+            bond,
+            breadth=BREADTH,
+            plain_edges=_has_plain_edges(tiles, size, exemplar),
+        )
+        return Treatment("courses", tiles, size, tone, manner)
     if character.has_things and not tone:
         size = tile_size or 2 * round(LARGER * usual / 2)
-        manner = Manner(CANDIDATES, EXCLUSION, (0.5, 0.3, 0.15), 1.0, 0.08, True)
-        return Treatment("things", tiles or _classed(size), size, tone, manner)
+        tiles = tiles or _classed(size)
+        manner = Manner(
+            CANDIDATES,
+            EXCLUSION,
+            (0.5, 0.3, 0.15),
+            1.0,
+            RECURRENCE_OF_THINGS,
+            True,
+            breadth=BREADTH,
+            plain_edges=_has_plain_edges(tiles, size, exemplar),
+        )
+        return Treatment("things", tiles, size, tone, manner)
     size = tile_size or usual
-    manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, USUAL, True)
+    manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, RECURRENCE, True)
     return Treatment("even", tiles or _classed(size), size, tone, manner)
 
 
@@ -125,6 +152,17 @@ def _classed(size: int) -> TileSet:
     """Tiles in five classes, or in two where these would be too many pixels."""
     tiles = classed_corner_tiles(2, 5)
     return tiles if len(tiles) * size**2 <= MOST_PIXELS else classed_corner_tiles(2, 2)
+
+
+def _has_plain_edges(tiles: TileSet, size: int, exemplar: Exemplar) -> bool:
+    """Whether corner patches come so seldom that edges need none of their own to hide that they come back.
+
+    These cost a second cut across every border, and cut what is whole in a corner patch. Edges that differ in
+    color, or lie between two photographs, have patches of their own.
+    """
+    many = "N" not in tiles.shape.slots and max(tiles.colors) >= FEWEST_CORNERS
+    roomy = min(min(m.shape) for m in exemplar.masks) >= ROOM * size
+    return many and roomy and len(exemplar.sources) == 1
 
 
 def _check_tone(tone: bool | None, exemplar: Exemplar) -> None:
