@@ -11,8 +11,9 @@ from tilewright.analysis.textures.seams import cut_line_ratio
 from tilewright.errors import TilewrightValueError, TilewrightWarning
 from tilewright.signals.textures.character import find_character
 from tilewright.signals.textures.lone import lone_things_of
+from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork
 from tilewright.signals.textures.regularity import find_regularity
-from tilewright.signals.textures.sheet import make_sheet
+from tilewright.signals.textures.sheet import make_sheet, without_grain
 from tilewright.signals.textures.treatment import find_treatment
 
 
@@ -76,6 +77,46 @@ def test_colors_count_more_than_grain():
         return color / (color + left.var((0, 1)).sum() + right.var((0, 1)).sum())
 
     assert share(make_sheet(exemplar)) < 0.6 < 0.9 < share(make_sheet(exemplar, 8.0, 128))
+
+
+def test_grain_goes_and_joints_stay():
+    rng = np.random.default_rng(0)
+    stones = np.repeat([100.0, 60.0, 130.0], [62, 4, 62]) + rng.normal(0, 8, (96, 128))
+    left = without_grain(stones[..., np.newaxis].astype(np.float32), 3.0)[..., 0]
+    assert left[:, :54].std() < 4
+    assert abs(left[:, 63:65].mean() - 60) < 12
+
+
+def test_a_cut_follows_an_outline_that_both_have():
+    # Joints every 24 pixels, darker where the stone is; stones of one photograph, shifted by three of them.
+    rng = np.random.default_rng(1)
+    joint = np.where(np.arange(192) % 24 < 2, 0.6, 1.0)
+    picture = np.repeat(rng.choice([90, 150, 210], 8), 24) * joint + rng.normal(0, 3, (64, 192))
+    sheet = make_sheet(tw.Exemplar([{"albedo": as_photo(picture)}]), 8.0, 96)
+    canvas = Patchwork.of_patch(64, 64, (0, 0))
+    state = np.full((64, 64), OPEN, np.uint8)
+    state[:, :14], state[:, -14:] = FORCED_OLD, FORCED_NEW
+    _, where = canvas.overlay(sheet, (0, 72), state, np.ones((64, 64), np.float32), ease=4.0)
+    first = where.argmax(axis=1)  # the first new pixel of each row
+    assert (np.abs((first + 11) % 24 - 12) <= 3).mean() > 0.95
+
+
+def test_corner_patches_are_of_the_photographs_mean_together(monkeypatch):
+    # A third of this photograph is dark; by strips alone most patches are taken from the light part.
+    rng = np.random.default_rng(2)
+    picture = gaussian_filter(rng.normal(size=(256, 256)), 12)
+    picture = np.where(picture < np.quantile(picture, 1 / 3), 60, 180) + rng.normal(0, 6, picture.shape)
+
+    def offset():
+        tiles = tw.classed_corner_tiles(2, 5)
+        options = {"method": "faithful", "tile_size": 64, "tone": False, "seed": 1}
+        material = tw.texture_tiles(as_photo(picture), tiles, **options)
+        assert material.recipe["treatment"] == "things"
+        return abs(material.pixels.mean() - picture.mean())
+
+    even = offset()
+    monkeypatch.setattr("tilewright.signals.textures.corners.EVENNESS", 0.0)
+    assert even < 13 < 16 < offset()
 
 
 def test_a_size_off_the_courses_is_said():

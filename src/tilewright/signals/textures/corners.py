@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import uniform_filter
 
 from tilewright.errors import TilewrightValueError
 from tilewright.signals.textures.plan import Plan
@@ -16,6 +17,9 @@ ARM = 0.22
 """Half the length of the strips that are compared, in tiles."""
 SHOWN, SHOWN_ALONE = 0.35, 0.6
 """Side of what stays of a corner patch, in tiles, and the same where no patches of the edges cover it."""
+EVENNESS = 4.0
+"""What it counts that all chosen places together are off the photograph's mean, in variances of the mean of
+as many places by chance; where corner patches are most of what is seen."""
 SWEEPS = 5
 """Times that every corner patch is chosen anew for the others."""
 
@@ -67,6 +71,7 @@ def choose_meeting_corners(
         penalty += search.manner.popping * search.bars.popping_at(candidates.rows, candidates.columns)
     # Step 3: every patch in turn at the place that meets its neighbors best, far from the others.
     near = ~candidates.apart(search.size)
+    offsets = _offsets(search, candidates) if search.manner.plain_edges else None
     chosen = dict(candidates.picked)
     for sweep in range(SWEEPS):
         before = dict(chosen)
@@ -83,11 +88,29 @@ def choose_meeting_corners(
                     total = total + misfit[:, chosen[edge.second]]
                 elif edge.second == corner and edge.first in chosen:
                     total = total + misfit[chosen[edge.first]]
+            if offsets is not None:
+                total = total * (1 + EVENNESS * _unevenness(offsets, others))
             total = np.where(candidates.free[corner], total * penalty, np.inf)
             chosen[corner] = _least(total, np.asarray(near[others].any(axis=0)), corner, search.size)
         if chosen == before:
             break
     return _record(search, [candidates.place(chosen[c]) for c in range(len(plan.corner_sources))])
+
+
+def _offsets(search: PatchSearch, candidates: "_Candidates") -> NDArray[np.float64]:
+    """How far the mean of each place's surroundings is off the photograph's, shape (candidates, k)."""
+    side = round(SHOWN_ALONE * search.size)
+    means = uniform_filter(integer_features(search.sheet), (side, side, 1), mode="nearest")
+    usable = search.sheet.usable
+    return means[candidates.rows, candidates.columns] - integer_features(search.sheet)[usable].mean(axis=0)
+
+
+def _unevenness(offsets: NDArray[np.float64], others: list[int]) -> NDArray[np.float64]:
+    """The squared offset of the mean of each place and others, over what it is by chance."""
+    count = len(others) + 1
+    mean = (offsets + offsets[others].sum(axis=0)) / count
+    by_chance = (offsets**2).sum(axis=1).mean() / count
+    return np.asarray((mean**2).sum(axis=1) / max(by_chance, 1e-9))
 
 
 def _least(total: NDArray[np.float64], near: NDArray[np.bool_], corner: int, size: int) -> int:

@@ -36,9 +36,6 @@ WIDE_OVERLAP = 0.2
 EDGE_CORE = (0.22, 0.12)
 """Half-length and half-width of the part an edge patch must fill, in tiles. At half of both steps are 1.32
 times, and 0.20 is shared; at (0.35, 0.20) they are 1.43 times, and 0.16 is."""
-CENTER_CORE = 0.30
-"""Half-width of the part a center patch must fill, in tiles. At 0.15 steps are the same, but 0.24 is shared;
-at 0.40 they are 1.49 times, and 0.14 is shared."""
 MIXED_CORE = 0.5
 """The cores shrink to this share where two sources meet, so that the cut decides where one ends."""
 
@@ -191,7 +188,7 @@ def center_opening(
     search: PatchSearch, frame: Frame, canvas: Patchwork, sources: Sequence[int], shown: list[Place]
 ) -> Opening:
     """What waits for a tile's own patch: everything but the border."""
-    core = frame.superellipse(CENTER_CORE * (MIXED_CORE if len(sources) > 1 else 1))
+    core = frame.superellipse(search.manner.core * (MIXED_CORE if len(sources) > 1 else 1))
     state = frame.ring(core, inside_border(frame))
     manner = search.manner
     return Opening(

@@ -61,6 +61,7 @@ class Patchwork:
         reach: float = 0.0,
         keep: NDArray[np.float32] | None = None,
         settled: NDArray[np.uint8] | None = None,
+        ease: float = 0.0,
     ) -> tuple[float, NDArray[np.bool_]]:
         """Cut a patch into the canvas: the energy of the best cut, and where the patch then lies.
 
@@ -73,7 +74,10 @@ class Patchwork:
         reach : radius (sigma, pixels) of that neighborhood.
         keep : float32 (h, w), what each open pixel costs that stays old; nothing by default.
         settled : uint8 (h, w), the state with more of it forced, for the cut alone; by default no more is.
+        ease : how much less a seam counts along outlines that both contents have (Kwatra et al. 2003, 3.3).
         """
+        if ease:
+            weight = weight / (1 + np.float32(ease) * self._shared_outlines(sheet, shift))
         height, width = state.shape
         around = np.zeros(state.shape, np.float32)
         if context > 0:
@@ -107,6 +111,13 @@ class Patchwork:
         where = (state == FORCED_NEW) | ((state == OPEN) & chosen)
         energy = sum_seams(sheet.features, self.rows, self.columns, *shift, where, weight, around)
         return float(energy) + float(kept[~where].sum(dtype=np.float64)), where
+
+    def _shared_outlines(self, sheet: Sheet, shift: tuple[int, int]) -> NDArray[np.float32]:
+        """The outlines that lie here and in a patch alike."""
+        height, width = self.rows.shape
+        patch = Patchwork.of_patch(height, width, shift)
+        ours, theirs = (c.pixels(sheet.outlines[..., np.newaxis])[..., 0] for c in (self, patch))
+        return np.minimum(ours, theirs)
 
     def with_cut(
         self,

@@ -6,10 +6,11 @@ lie apart are cut in, and the cheapest of them wins, its cut counted together wi
 leaves of the older content comes back in more tiles than the patch does, so leaving it has a price too.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -115,8 +116,9 @@ class Cut(NamedTuple):
 class Scale:
     """Cuts patches into openings, seen through one pixel in ``step``."""
 
-    def __init__(self, sheet: Sheet, size: int, step: int) -> None:
+    def __init__(self, sheet: Sheet, size: int, step: int, ease: float) -> None:
         self.step = step
+        self.ease = ease
         self.sheet = sheet if step == 1 else sheet.reduced(step)
         self.reach = CONTEXT_SIGMA * size / step
         # 0 at the border of a canvas, 1 from the band on.
@@ -137,7 +139,9 @@ class Scale:
         canvas = opening.canvas if step == 1 else opening.canvas.reduced(step)
         y, x = ((c + step // 2) // step for c in place)
         keep = np.float32(opening.recurrence * np.sqrt(self.sheet.grain)) * weight * self.inwards
-        return canvas.overlay(self.sheet, (y, x), state, weight, CONTEXT, self.reach, keep, settled)
+        return canvas.overlay(
+            self.sheet, (y, x), state, weight, CONTEXT, self.reach, keep, settled, self.ease
+        )
 
 
 def settle_far(state: NDArray[np.uint8], draft: NDArray[np.bool_]) -> NDArray[np.uint8]:
@@ -177,7 +181,7 @@ class PatchSearch:
         self.progress = progress
         self.total = total
         self.rng = rng
-        self.full = Scale(sheet, size, 1)
+        self.full = Scale(sheet, size, 1, manner.ease)
         self.matcher = Matcher(sheet, size, TONE_SIGMA * size)
         self.used = np.zeros(sheet.usable.shape, np.float32)
         self.bars = Bars(sheet, size, manner)
@@ -191,7 +195,7 @@ class PatchSearch:
             step = max(2, self.size // DRAFT) if self.size > DRAFT else 1
         else:
             step = self.size // SMALL
-        return Scale(self.sheet, self.size, step) if step > 1 else self.full
+        return Scale(self.sheet, self.size, step, self.manner.ease) if step > 1 else self.full
 
     @cached_property
     def conspicuous(self) -> NDArray[np.float32]:
@@ -225,16 +229,20 @@ class PatchSearch:
                 f"{self.size} pixels, or too many patches were rejected"
             )
         # Step 2: cut each of them in; the least cut, counted with the promise, wins. Large canvases are cut
-        # on a small scale first, and only the best of those at full size.
+        # on a small scale first, and only the best of those at full size: near their drafts where much is
+        # open, which takes half of the time, and cuts are no worse.
+        drafts: dict[Place, NDArray[np.bool_]] = {}
         if len(promise) > 1 and self.small.step > 1:
             best = self._cut_all(self.small, opening, promise)
             finalists = best[: BEST_DRAFTS if self.manner.jointly else FINALISTS]
             promise = {cut.place: promise[cut.place] for cut in finalists}
+            if self.manner.ease:
+                drafts = {cut.place: cut.where for cut in finalists}
         if self.places_known:
             (place,) = promise
             where = self.cut(opening, place)
         else:
-            place, where, _ = self._cut_all(self.full, opening, promise)[0]
+            place, where, _ = self._cut_all(self.full, opening, promise, drafts)[0]
         shown = where & (opening.state != FORCED_OLD)
         self._mark_used(place, shown)
         self.bars.bar_shown(place, shown)
@@ -280,9 +288,15 @@ class PatchSearch:
                 return
             radius /= 2
 
-    def _cut_all(self, scale: Scale, opening: Opening, promise: dict[Place, float]) -> list[Cut]:
-        """The cuts of several places, best first."""
-        cuts = self.pool.map(lambda place: scale.cut(opening, place), promise)
+    def _cut_all(
+        self,
+        scale: Scale,
+        opening: Opening,
+        promise: dict[Place, float],
+        drafts: Mapping[Place, NDArray[np.bool_]] = MappingProxyType({}),
+    ) -> list[Cut]:
+        """The cuts of several places, best first; near their drafts, if there are any."""
+        cuts = self.pool.map(lambda place: scale.cut(opening, place, drafts.get(place)), promise)
         found = [
             Cut(place, where, energy * promise[place])
             for place, (energy, where) in zip(promise, cuts, strict=True)

@@ -16,6 +16,10 @@ MOST_FEATURES = 4
 """Numbers by which pixels are compared."""
 GRAIN = 1 / 64
 """Standard deviation of the Gaussian in which grain is not seen, in tiles."""
+SMOOTH = 4.0
+"""Variances up to which contrast is grain, over the median of the photograph's."""
+FLAT = 0.01
+"""Contrast that is none, in standard deviations of the photograph: drawings are flat nearly everywhere."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,6 +70,13 @@ class Sheet:
             total += float(step[both].mean(dtype=np.float64)) if both.any() else 0.0
         return total
 
+    @cached_property
+    def outlines(self) -> NDArray[np.float32]:
+        """How much more contrast there is around each pixel than is usual; 0 within things."""
+        contrast = np.sqrt(_variance(self.features, 3).sum(axis=2))
+        usual = max(float(np.median(contrast[self.usable])), FLAT)
+        return np.asarray(np.maximum(contrast / np.float32(usual) - 1, 0), np.float32)
+
     def low_pass(self, sigma: float) -> NDArray[np.float32]:
         """The features of each source, low-passed within it; same shape as ``features``."""
         out = np.zeros_like(self.features)
@@ -110,15 +121,39 @@ def blur(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
     return image
 
 
+def without_grain(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
+    """An image without what varies within a Gaussian of ``sigma`` pixels, but with its outlines.
+
+    A guided filter (He, Sun & Tang 2010), the image its own guide. A Gaussian would mix a joint with the
+    stones beside it, and a cut along the joint would cost as much as one through them.
+    """
+    side = 2 * max(1, round(1.5 * sigma)) + 1
+    variance = _variance(image, side)
+    usual = np.median(variance, axis=(0, 1)).astype(np.float32)
+    kept = np.asarray(variance / (variance + np.float32(SMOOTH) * usual + np.float32(1e-6)), np.float32)
+    rest = (1 - kept) * _mean(image, side)
+    return np.asarray(_mean(kept, side) * image + _mean(rest, side), np.float32)
+
+
+def _mean(image: NDArray[np.float32], side: int) -> NDArray[np.float32]:
+    return np.asarray(uniform_filter(image, (side, side, 1), mode="nearest"))
+
+
+def _variance(image: NDArray[np.float32], side: int) -> NDArray[np.float32]:
+    """Of each channel, in squares of ``side`` pixels."""
+    middle = image - image.mean(axis=(0, 1))  # far from 0, squares would lose their last digits
+    return np.maximum(_mean(middle * middle, side) - _mean(middle, side) ** 2, 0)
+
+
 def make_sheet(exemplar: Exemplar, breadth: float = 0.0, size: int = 0) -> Sheet:
     """Stack the sources; a map counts by its weight, whatever its range and number of channels.
 
     Parameters
     ----------
     breadth : float
-        How much more than grain the color counts that is left when grain is not seen. A cut in the midst of
-        two stones changes their color for good, which the eye sees from far, yet from pixel to pixel grain
-        changes it more. Colors are compared in L*a*b* then.
+        How much more than grain the color counts that is left without it. A cut in the midst of two stones
+        changes their color for good, which the eye sees from far, yet from pixel to pixel grain changes it
+        more. Colors are compared in L*a*b* then.
     size : int
         Pixels along a tile, which say what is grain.
     """
@@ -154,7 +189,7 @@ def _perceived(pixels: NDArray[Any], kind: str, breadth: float, grain: float) ->
     """Values whose differences are about what the eye sees: linear light is bent as sRGB bends it."""
     if breadth:
         values = to_lab(pixels, kind) if kind == "color" else pixels.astype(np.float32)
-        return values + np.float32(breadth) * blur(values, grain)
+        return values + np.float32(breadth) * without_grain(values, grain)
     values = pixels.astype(np.float32)
     if kind == "color" and pixels.dtype.kind == "f":
         return np.sign(values) * np.abs(values) ** np.float32(1 / 2.2)
