@@ -72,19 +72,21 @@ def test_cuts_along_outlines_are_as_good_as_none():
     photo = np.tile(np.repeat([60, 120, 180], 32), 5) + np.random.default_rng(0).normal(0, 20, (64, 480))
     photo = photo.clip(0, 255).astype(np.uint8)[..., np.newaxis]
 
-    def sample(cut):
-        """Tiles of two stripes: as far as ``cut`` from one place, and the rest from another."""
+    def sample(cut, second=0):
+        """Tiles of two stripes: to ``cut`` from one place, the rest from another or a second source."""
         origins = np.zeros((8, 64, 64, 3), np.uint16)
         origins[..., 1:] = np.moveaxis(np.indices((64, 64)), 0, -1)
         for tile in range(8):
             origins[tile, :, :cut, 2] += 32 * tile
             origins[tile, :, cut:, 2] += 32 * (tile + 4)
-        source = ({"a": photo},)
+        origins[:, :, cut:, 0] = second
+        source = ({"a": photo}, {"a": photo})
         material = TextureTiles(tw.free_tiles(8), copy_from_sources(source, origins), source, origins)
         return Sample(material, np.arange(8).reshape(2, 4))
 
     assert cut_color_ratio(sample(32)) == pytest.approx(1, abs=0.2)
     assert cut_color_ratio(sample(48)) > 2
+    assert cut_color_ratio(sample(48, second=1)) == 0
     assert cut_line_ratio(sample(32)) > 1.1
 
 

@@ -41,11 +41,11 @@ def worst_tile_ratio(sample: Sample) -> float:
 
 
 def cut_color_ratio(sample: Sample) -> float:
-    """Difference in color of the two sides of a cut, over what either patch has there by itself.
+    """Difference in color of the two sides of cuts within tiles, over what either patch has there by itself.
 
     Sides are seen in L*a*b* without grain (a Gaussian of a 64th of a tile), two of its standard deviations
     from the cut. 1 means that color changes across cuts as it does in the photograph. A cut along an outline
-    is as good as one within a thing; things of two colors raise it.
+    is as good as one within a thing; things of two colors raise it. Cuts between photographs do not count.
     """
     main = sample.material.main
     sigma = GRAIN * sample.size
@@ -56,28 +56,25 @@ def cut_color_ratio(sample: Sample) -> float:
     ]
     origins = sample.material.origins.astype(np.int32)
     across = own = 0.0
-    for axis, step in ((2, (0, reach)), (1, (reach, 0))):
-        onward = np.array((0, *(s // reach for s in step)), np.int32)
+    for axis, onward in ((2, (0, 0, 1)), (1, (0, 1, 0))):
         near, far = np.delete(origins, -1, axis), np.delete(origins, 0, axis)
-        cut = (far - near != onward).any(axis=3)
+        cut = (far - near != onward).any(axis=3) & (far == near)[..., 0]
+        step = reach * np.array(onward, np.int32)
         # The colors of both patches, before the cut and after it.
-        ours = [_colors(soft, near[cut], tuple(way * s for s in step)) for way in (-1, 1)]
-        theirs = [_colors(soft, far[cut], tuple(way * s for s in step)) for way in (-1, 1)]
-        known = np.isfinite(np.concatenate([*ours, *theirs], axis=1)).all(axis=1)
-        before, on, back, after = (colors[known] for colors in (*ours, *theirs))
+        seen = [_colors(soft, spots[cut] + way * step) for spots in (near, far) for way in (-1, 1)]
+        known = np.isfinite(np.concatenate(seen, axis=1)).all(axis=1)
+        before, on, back, after = (colors[known] for colors in seen)
         across += float(np.linalg.norm(before - after, axis=1).sum(dtype=np.float64))
         for one, other in ((before, on), (back, after)):
             own += 0.5 * float(np.linalg.norm(one - other, axis=1).sum(dtype=np.float64))
     return across / own if own > 0 else 0.0
 
 
-def _colors(
-    sources: Sequence[NDArray[np.float32]], spots: NDArray[np.int32], step: tuple[int, ...]
-) -> NDArray[np.float32]:
-    """Colors a step from (source, y, x), shape (k, channels); not a number outside of the source."""
+def _colors(sources: Sequence[NDArray[np.float32]], spots: NDArray[np.int32]) -> NDArray[np.float32]:
+    """Colors at (source, y, x), shape (k, channels); not a number outside of the source."""
     found = np.full((len(spots), sources[0].shape[2]), np.nan, np.float32)
+    y, x = spots[:, 1], spots[:, 2]
     for number, source in enumerate(sources):
-        y, x = (spots[:, 1 + axis] + step[axis] for axis in (0, 1))
         mine = (spots[:, 0] == number) & (y >= 0) & (y < source.shape[0]) & (x >= 0) & (x < source.shape[1])
         found[mine] = source[y[mine], x[mine]]
     return found
