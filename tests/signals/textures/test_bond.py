@@ -96,6 +96,13 @@ def test_the_pattern_goes_on_through_the_plane(name, brick, every):
     assert np.ptp(off) <= 4
 
 
+def test_seeds_choose_among_the_places_in_step():
+    photo = wall("running-bond", (24, 12), 192)
+    made = [tw.texture_tiles(photo, tile_size=48, seed=seed) for seed in (1, 2)]
+    assert all(m.recipe["treatment"] == "courses" for m in made)
+    assert not np.array_equal(made[0].origins, made[1].origins)
+
+
 @pytest.mark.parametrize(
     ("side", "advice"), [(390, "tile_size 192 keeps it$"), (350, "breaks between them$")]
 )

@@ -59,6 +59,18 @@ def test_corner_patches_of_courses_meet_without_others_where_they_are_many(tiles
     assert (treatment.name, treatment.manner.plain_edges) == ("courses", plain)
 
 
+def test_a_mask_may_leave_no_room_for_that():
+    wall = as_photo(courses([16] * 12, 192))
+    mask = np.zeros(wall.shape[:2], bool)
+    for side, plain in ((80, True), (60, False)):
+        mask[8 : 8 + side, 8 : 8 + side] = True
+        exemplar = tw.Exemplar([{"albedo": wall}], [mask.copy()])
+        character = find_character(exemplar, find_regularity(wall), 48)
+        treatment = find_treatment(exemplar, character, tw.classed_corner_tiles(2, 5), 32, None)
+        assert treatment.manner.plain_edges == plain
+        mask[:] = False
+
+
 def test_edges_have_patches_where_there_are_no_courses(paved, gravel):
     assert not any(name.startswith("edge") for name in paved.recipe["patches"])
     even = tw.texture_tiles(gravel[:96, :96], method="faithful", tile_size=16, seed=1)
@@ -77,6 +89,14 @@ def test_colors_count_more_than_grain():
         return color / (color + left.var((0, 1)).sum() + right.var((0, 1)).sum())
 
     assert share(make_sheet(exemplar)) < 0.6 < 0.9 < share(make_sheet(exemplar, 8.0, 128))
+
+
+def test_alpha_is_compared():
+    pixels = np.full((64, 64, 4), 120, np.uint8)
+    pixels[..., 3] = np.arange(64) // 16 % 2 * 255
+    for breadth in (0.0, 8.0):
+        features = make_sheet(tw.Exemplar([{"albedo": pixels}]), breadth, 32).features
+        assert np.abs(features[:, 8] - features[:, 24]).max() > 1
 
 
 def test_grain_goes_and_joints_stay():

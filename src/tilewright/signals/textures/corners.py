@@ -37,7 +37,7 @@ def choose_corners(search: PatchSearch, plan: Plan, overlap: int, rng: np.random
     misfit = _misfit(search, candidates.rows, candidates.columns, overlap)
     penalty = np.ones(len(candidates.rows))
     if search.period is None:
-        side = round((SHOWN_ALONE if search.manner.plain_edges else SHOWN) * search.size)
+        side = round(SHOWN * search.size)
         plainness = search.manner.plainness[0]
         penalty += plainness * search.conspicuous_at(candidates.rows, candidates.columns, side)
     # Step 3: one place after the other, each the one that meets those before it best.
@@ -100,9 +100,9 @@ def choose_meeting_corners(
 def _offsets(search: PatchSearch, candidates: "_Candidates") -> NDArray[np.float64]:
     """How far the mean of each place's surroundings is off the photograph's, shape (candidates, k)."""
     side = round(SHOWN_ALONE * search.size)
-    means = uniform_filter(integer_features(search.sheet), (side, side, 1), mode="nearest")
-    usable = search.sheet.usable
-    return means[candidates.rows, candidates.columns] - integer_features(search.sheet)[usable].mean(axis=0)
+    features = integer_features(search.sheet)
+    means = uniform_filter(features, (side, side, 1), mode="nearest")
+    return means[candidates.rows, candidates.columns] - features[search.sheet.usable].mean(axis=0)
 
 
 def _unevenness(offsets: NDArray[np.float64], others: list[int]) -> NDArray[np.float64]:
@@ -242,7 +242,9 @@ def _sample(
             argument=f"source {source}",
             advice="choose a smaller tile size or a larger photograph",
         )
-    pick = np.sort(rng.choice(len(y), min(SAMPLES, len(y)), replace=False))
+    # Half of them where they are few, as of bonds: else all seeds would choose among the same.
+    most = -(-len(y) // 2) if search.manner.jointly else len(y)
+    pick = np.sort(rng.choice(len(y), min(SAMPLES, most), replace=False))
     return y[pick] + reach, x[pick] + reach
 
 

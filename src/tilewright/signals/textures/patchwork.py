@@ -74,7 +74,8 @@ class Patchwork:
         reach : radius (sigma, pixels) of that neighborhood.
         keep : float32 (h, w), what each open pixel costs that stays old; nothing by default.
         settled : uint8 (h, w), the state with more of it forced, for the cut alone; by default no more is.
-        ease : how much less a seam counts along outlines that both contents have (Kwatra et al. 2003, 3.3).
+        ease : how much less a seam counts along outlines that both contents have, in place of the gradients
+            of Kwatra et al. 2003, "Adapting the Cost Function".
         """
         if ease:
             weight = weight / (1 + np.float32(ease) * self._shared_outlines(sheet, shift))

@@ -10,7 +10,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
-from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -233,7 +232,7 @@ class PatchSearch:
         # open, which takes half of the time, and cuts are no worse.
         drafts: dict[Place, NDArray[np.bool_]] = {}
         if len(promise) > 1 and self.small.step > 1:
-            best = self._cut_all(self.small, opening, promise)
+            best = self._cut_all(self.small, opening, promise, drafts)
             finalists = best[: BEST_DRAFTS if self.manner.jointly else FINALISTS]
             promise = {cut.place: promise[cut.place] for cut in finalists}
             if self.manner.ease:
@@ -293,7 +292,7 @@ class PatchSearch:
         scale: Scale,
         opening: Opening,
         promise: dict[Place, float],
-        drafts: Mapping[Place, NDArray[np.bool_]] = MappingProxyType({}),
+        drafts: Mapping[Place, NDArray[np.bool_]],
     ) -> list[Cut]:
         """The cuts of several places, best first; near their drafts, if there are any."""
         cuts = self.pool.map(lambda place: scale.cut(opening, place, drafts.get(place)), promise)

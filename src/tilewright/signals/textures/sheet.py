@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, uniform_filter
 
+from tilewright.pixels import has_alpha, white
 from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.kinds import to_lab
 
@@ -187,10 +188,13 @@ def make_sheet(exemplar: Exemplar, breadth: float = 0.0, size: int = 0) -> Sheet
 
 def _perceived(pixels: NDArray[Any], kind: str, breadth: float, grain: float) -> NDArray[np.float32]:
     """Values whose differences are about what the eye sees: linear light is bent as sRGB bends it."""
-    if breadth:
-        values = to_lab(pixels, kind) if kind == "color" else pixels.astype(np.float32)
-        return values + np.float32(breadth) * without_grain(values, grain)
     values = pixels.astype(np.float32)
+    if breadth:
+        if kind == "color":
+            alpha = values[..., -1:] * np.float32(100 / white(pixels.dtype))
+            values = to_lab(pixels, kind)
+            values = np.concatenate([values, alpha], axis=2) if has_alpha(pixels.shape[2]) else values
+        return values + np.float32(breadth) * without_grain(values, grain)
     if kind == "color" and pixels.dtype.kind == "f":
         return np.sign(values) * np.abs(values) ** np.float32(1 / 2.2)
     return values

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import minimum_filter
 
 from tilewright.errors import TilewrightValueError, TilewrightWarning
 from tilewright.signals.textures.bond import ALL_ALIKE, Bond
@@ -36,8 +37,8 @@ at 0.30, as planks across a border are longer than what is left to them there, a
 is, the oftener the same is seen: of a wall, 1.9 times on the photograph's area at 0.18, and 2.4 at 0.12."""
 FEWEST_CORNERS = 8
 """Colors of corners from which on edges have no patches of their own where there are things or courses."""
-ROOM = 1.5
-"""Tiles along a photograph from which on that is so, as corner patches then take more of it."""
+ROOM = 2
+"""Side of a square of usable pixels, in tiles, from which on that is so: corner patches then take more."""
 MOST_PIXELS = 2**25
 """Sets of more get two classes of lattice points in place of five, as large tiles come less often."""
 OFF_STEP = 0.04
@@ -167,8 +168,9 @@ def _has_plain_edges(tiles: TileSet, size: int, exemplar: Exemplar) -> bool:
     color, or lie between two photographs, have patches of their own.
     """
     many = "N" not in tiles.shape.slots and max(tiles.colors) >= FEWEST_CORNERS
-    roomy = min(min(m.shape) for m in exemplar.masks) >= ROOM * size
-    return many and roomy and len(exemplar.sources) == 1
+    if not many or len(exemplar.sources) > 1:
+        return False
+    return bool(minimum_filter(exemplar.masks[0], ROOM * size, mode="constant", cval=0).any())
 
 
 def _check_tone(tone: bool | None, exemplar: Exemplar) -> None:
