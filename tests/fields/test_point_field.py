@@ -6,6 +6,7 @@ from hypothesis import given, settings, strategies as st
 from scipy.spatial import cKDTree
 
 import tilewright as tw
+from cores import cores
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 SETS = {
@@ -255,16 +256,11 @@ def test_a_torus_keeps_the_distance_around_its_sides(name):
 
 
 def test_seeds_and_threads():
-    import numba
-
     a, b = field_of("corner", 1).points(), field_of("corner", 2).points()
     assert not np.array_equal(a, b)
-    threads = numba.get_num_threads()
-    numba.set_num_threads(1)
-    try:
-        np.testing.assert_array_equal(field_of("corner", 1).points(), a)
-    finally:
-        numba.set_num_threads(threads)
+    for count in (1, 3):
+        with cores(count):
+            np.testing.assert_array_equal(field_of("corner", 1).points(), a)
 
 
 REFUSALS = {

@@ -1,10 +1,10 @@
 """Any window of a texture field equals the same pixels of any other."""
 
-import numba
 import numpy as np
 import pytest
 
 import tilewright as tw
+from cores import cores
 from handmade import handmade
 from tilewright.errors import Cancelled, TilewrightError
 
@@ -46,12 +46,9 @@ def test_threads_do_not_matter():
     material = handmade(tw.corner_tiles(2), 32)
     field = tw.TextureField(material, tw.direct(material.tiles, 7))
     here = field.render(5, 5, 300, 300)
-    before = numba.get_num_threads()
-    try:
-        numba.set_num_threads(1)
-        assert np.array_equal(here, field.render(5, 5, 300, 300))
-    finally:
-        numba.set_num_threads(before)
+    for count in (1, 3):
+        with cores(count):
+            assert np.array_equal(here, field.render(5, 5, 300, 300))
 
 
 @pytest.mark.parametrize(("kind", "suffix"), [(np.uint8, ".png"), (np.uint16, ".tif"), (np.float32, ".exr")])

@@ -3,11 +3,11 @@
 from dataclasses import replace
 from fractions import Fraction
 
-import numba
 import numpy as np
 import pytest
 
 import tilewright as tw
+from cores import cores
 from tilewright.errors import Cancelled, TilewrightError
 from tilewright.flows.flow import FLOW_TILES, Flow, FlowTile, simulate_flow, strew_tiles
 from tilewright.seeds import derive_key, make_key
@@ -182,13 +182,10 @@ def test_a_column_holds_one_particle_as_long_as_it_is_alive(busy):
 
 
 def test_neither_frames_nor_threads_matter(busy):
-    before = numba.get_num_threads()
-    try:
-        numba.set_num_threads(1)
-        alone = simulate_flow(busy.cells, ALL, particles=500, steps=60, torus=False, leaves=True, seed=3)
-    finally:
-        numba.set_num_threads(before)
-    assert np.array_equal(alone.positions, busy.positions, equal_nan=True)
+    for count in (1, 3):
+        with cores(count):
+            again = simulate_flow(busy.cells, ALL, particles=500, steps=60, torus=False, leaves=True, seed=3)
+        assert np.array_equal(again.positions, busy.positions, equal_nan=True)
     rare = simulate_flow(busy.cells, ALL, particles=500, steps=60, torus=False, leaves=True, seed=3, every=25)
     assert rare.times.tolist() == [0, 25, 50, 60]
     for frame, time in enumerate(rare.times):

@@ -13,7 +13,7 @@ import small_kernels
 NOT_REACHED = {
     *("bricks.add_base", "bricks.lay_heights"),
     *("candidates.drop_cells", "candidates.find_corner", "candidates.measure_cells"),
-    *("dappling.dapple_cells", "dappling.visit_any", "flow.walk_in_parallel"),
+    *("dappling.visit_blocks", "dappling.visit_any", "flow.walk_in_parallel"),
     *("growth.crosses", "growth.mark_kind", "growth.move_frame", "growth.move_interiors"),
     *("packing_search.count_tiles", "packing_search.draw_line", "packing_search.find_bases"),
     *("packing_search.redraw_lines", "packing_search.weigh_line"),

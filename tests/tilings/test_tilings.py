@@ -4,12 +4,12 @@ import subprocess
 import sys
 from itertools import product
 
-import numba
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
 import tilewright as tw
+from cores import cores
 from mixer import mixer
 from tilewright.errors import TilewrightError
 from tilewright.tilings import first_mismatch
@@ -385,13 +385,10 @@ def test_threads_and_processes_do_not_matter():
     tiling = tw.direct(tw.corner_tiles(3), 8)
     here = tiling.indices(-7, 3, 200, 100)
     others = {made: eval(made) for made in MADE}
-    before = numba.get_num_threads()
-    try:
-        numba.set_num_threads(1)
-        assert np.array_equal(here, tiling.indices(-7, 3, 200, 100))
-        assert all(np.array_equal(cells, eval(made)) for made, cells in others.items())
-    finally:
-        numba.set_num_threads(before)
+    for count in (1, 3):
+        with cores(count):
+            assert np.array_equal(here, tiling.indices(-7, 3, 200, 100))
+            assert all(np.array_equal(cells, eval(made)) for made, cells in others.items())
     code = "import tilewright as tw\n" + "".join(f"print({made}.tobytes().hex())\n" for made in others)
     printed = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert printed.stdout.split() == [cells.tobytes().hex() for cells in others.values()]

@@ -88,6 +88,7 @@ class TextureField(PixelField):
             tiles = self.material.maps[map]
             pixel = tiles.shape[3] * tiles.itemsize
             copy_tiles(
+                window.height,
                 np.ascontiguousarray(tiles).view(np.uint8).reshape(len(tiles), size, size * pixel),
                 pictures,
                 top,

@@ -121,9 +121,10 @@ def add_tone(out: NDArray[Any], laid: Window, name: str) -> None:
     texels = laid.maps[name]
     if out.dtype.kind == "f":
         shown = np.ascontiguousarray(to_encoded(out))
-        add_texels(texels, laid.texel, laid.left, laid.top, np.float32(0), shown)
+        add_texels(len(out), texels, laid.texel, laid.left, laid.top, np.float32(0), shown)
         alpha = out[..., -1:].copy() if has_alpha(out.shape[-1]) else out[..., :0]
         out[...] = to_linear(np.maximum(shown, 0))
         out[..., out.shape[-1] - alpha.shape[-1] :] = alpha
     else:
-        add_texels(texels, laid.texel, laid.left, laid.top, np.float32(np.iinfo(out.dtype).max), out)
+        highest = np.float32(np.iinfo(out.dtype).max)
+        add_texels(len(out), texels, laid.texel, laid.left, laid.top, highest, out)

@@ -27,7 +27,8 @@ class Crowd:
     def __init__(
         self, cells: NDArray[np.uint8], tiles: Sequence[FlowTile], border: int, turns_back: bool, seed: int
     ) -> None:
-        from tilewright.kernels.flow import Particles, Rules, count_threads
+        from tilewright.kernels.flow import Particles, Rules
+        from tilewright.kernels.threads import count_threads
 
         key = make_key(seed)
         self._key, self._birth_key = derive_key(key, FLOWS, 0), derive_key(key, FLOWS, 1)
@@ -108,7 +109,7 @@ class Crowd:
         if n * steps < _FEW:
             walk_particles(0, n, steps, self.particles, self._rules, self._passed[0])
         else:
-            walk_in_parallel(steps, self.particles, self._rules, self._passed)
+            walk_in_parallel(len(self._passed), steps, self.particles, self._rules, self._passed)
         ways = self.particles.ways
         self.killed += int((ways == KILLED).sum())
         self.left += int((ways == LEFT).sum())

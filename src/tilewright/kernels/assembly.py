@@ -1,12 +1,10 @@
 """Pictures put together from tiles: nothing but copies of rows."""
 
-import numba
-
 from tilewright.kernels.compiled import kernel
 
 
 @kernel(parallel=True)
-def copy_tiles(tiles, indices, top, left, size, pixel, out):
+def copy_tiles(first, last, tiles, indices, top, left, size, pixel, out):
     """Fill a picture from tiles.
 
     tiles : uint8 (T, size, size * pixel), the bytes of every tile's rows.
@@ -14,16 +12,18 @@ def copy_tiles(tiles, indices, top, left, size, pixel, out):
     columns of pixels inside the first cell.
     out : uint8 (h, w * pixel), filled.
     """
-    height, width = out.shape[0], out.shape[1] // pixel
-    for i in numba.prange(height):
+    width = out.shape[1] // pixel
+    for i in range(first, last):
         cell_row, row = divmod(i + top, size)
         done = 0
         cell = 0
         column = left
         while done < width:
             count = min(size - column, width - done)
-            tile = tiles[indices[cell_row, cell], row]
-            out[i, done * pixel : (done + count) * pixel] = tile[column * pixel : (column + count) * pixel]
+            source = tiles[indices[cell_row, cell], row, column * pixel : (column + count) * pixel]
+            target = out[i, done * pixel : (done + count) * pixel]
+            for k in range(count * pixel):
+                target[k] = source[k]
             done += count
             cell += 1
             column = 0

@@ -2,7 +2,6 @@
 
 from typing import NamedTuple
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -299,7 +298,7 @@ def paint_row(y, index, bricks, keys, noise, edges, finish, mortar, surface):
 
 
 @kernel(parallel=True)
-def paint_bricks(index, bricks, keys, noise, edges, finish, mortar, surface):
+def paint_bricks(first, last, index, bricks, keys, noise, edges, finish, mortar, surface):
     """Paint a window of a wall.
 
     index : int32 (h, w), the brick of each pixel. bricks : float32 (n, 15): west, north, east and south side
@@ -310,7 +309,7 @@ def paint_bricks(index, bricks, keys, noise, edges, finish, mortar, surface):
     """
     words, places, columns, until, east, rows, south, weights = noise
     height, color, roughness, joints = surface
-    for i in numba.prange(len(index)):
+    for i in range(first, last):
         y = np.float32(i) + np.float32(0.5)
         near = Noise(words, places, columns, until, east, rows[i], south[i], weights)
         row = Surface(height[i], color[i], roughness[i], joints[i])
@@ -318,14 +317,14 @@ def paint_bricks(index, bricks, keys, noise, edges, finish, mortar, surface):
 
 
 @kernel(parallel=True)
-def fill_relief(height, depth, levels, out):
+def fill_relief(first, last, height, depth, levels, out):
     """Heights as 16-bit levels, and normals of the surface, green up (OpenGL).
 
     height : float32 (h + 2, w + 2), 0 to 1, 1 being ``depth`` pixels; one pixel more lies around.
     levels : uint16 (h, w). out : uint8 (h, w, 3). Both are filled.
     """
     scale = np.float32(depth * 0.5)
-    for i in numba.prange(out.shape[0]):
+    for i in range(first, last):
         for j in range(out.shape[1]):
             levels[i, j] = np.uint16(height[i + 1, j + 1] * np.float32(65535) + np.float32(0.5))
             x = (height[i + 1, j] - height[i + 1, j + 2]) * scale
@@ -337,7 +336,7 @@ def fill_relief(height, depth, levels, out):
 
 
 @kernel(parallel=True)
-def light_surface(height, normal, color, sun, path, ring, lights, linear, encoded, out):
+def light_surface(first, last, height, normal, color, sun, path, ring, lights, linear, encoded, out):
     """A surface in sunlight, with the shadows it casts on itself, under a gray sky.
 
     height : float32 (h + 2m, w + 2m) in pixels; ``m`` more lie around. normal : uint8 (h, w, 3), green up.
@@ -348,7 +347,7 @@ def light_surface(height, normal, color, sun, path, ring, lights, linear, encode
     """
     m = (height.shape[0] - out.shape[0]) // 2
     f = np.float32
-    for i in numba.prange(out.shape[0]):
+    for i in range(first, last):
         for j in range(out.shape[1]):
             here = height[i + m, j + m]
             hidden = f(0)

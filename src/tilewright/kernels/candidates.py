@@ -150,7 +150,8 @@ def add_farthest(key, drawn, multiple, placed, last, few, living, far, cells, ga
             hits += square > enough or threshold < 0
             if square > farthest:
                 farthest = square
-                best[:] = dart
+                for axis in range(d):
+                    best[axis] = dart[axis]
         if hits == 0:
             break
         place(best, find_home(best, cells.counts, extent, home), placed, cells)

@@ -10,7 +10,10 @@ from pathlib import Path
 from typing import Any
 
 import numba
+from numba.core.types import unliteral
 from platformdirs import user_cache_path
+
+from tilewright.kernels.threads import ParallelKernel
 
 
 def _cache_folder() -> Path:
@@ -23,8 +26,11 @@ def _cache_folder() -> Path:
 _FOLDER = str(_cache_folder())
 
 
-def kernel(*, parallel: bool = False, inline: bool = False, fastmath: bool = False) -> Callable[..., Any]:
+def kernel(*, parallel: bool = False, inline: bool = False) -> Callable[..., Any]:
     """Compile a function on first call, without the GIL, cached in the folder of these sources.
+
+    The first two parameters of a parallel one are the part of a range that it does; callers give the length
+    of the range in their place (see `ParallelKernel`).
 
     numba reads its cache folder when a function is decorated; the setting is put back at once, so
     that other users of numba in the process keep theirs.
@@ -34,15 +40,19 @@ def kernel(*, parallel: bool = False, inline: bool = False, fastmath: bool = Fal
         before = numba.config.CACHE_DIR
         numba.config.CACHE_DIR = _FOLDER
         try:
-            return numba.njit(
-                cache=True,
-                nogil=True,
-                parallel=parallel,
-                fastmath=fastmath,
-                error_model="numpy",
-                inline="always" if inline else "never",
+            compiled = numba.njit(
+                cache=True, nogil=True, error_model="numpy", inline="always" if inline else "never"
             )(function)
         finally:
             numba.config.CACHE_DIR = before
+        _take_literals_as_numbers(compiled)
+        return ParallelKernel(compiled) if parallel else compiled
 
     return decorate
+
+
+def _take_literals_as_numbers(compiled: Any) -> None:
+    """Let kernels call this one with 0 and with 1 without compiling it for each."""
+    resolve = getattr(compiled, "get_call_template", None)
+    if resolve is not None:  # there is none where numba is switched off
+        compiled.get_call_template = lambda args, kws: resolve([unliteral(a) for a in args], kws)

@@ -1,6 +1,5 @@
 """Dappled tilings: the sweep over anti-diagonals that rectifies long runs (Kaji et al. 2016, section 2)."""
 
-import numba
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
@@ -178,6 +177,12 @@ def dapple_few_cells(block, tiles, most_h, most_v, ends, out):
 
 
 @kernel(parallel=True)
+def visit_blocks(first, last, low, front, block, tiles, most_h, most_v, run_h, run_v, ends, out):
+    """`visit_block` for blocks ``low + first`` to ``low + last`` of an anti-diagonal of blocks."""
+    for b in range(low + first, low + last):
+        visit_block(block, b * block, (front - b) * block, tiles, most_h, most_v, run_h, run_v, ends, out)
+
+
 def dapple_cells(block, tiles, most_h, most_v, ends, out):
     """Rectify a tiling in place: cells by weight x + y, those of one weight by y, as the paper visits them.
 
@@ -194,8 +199,7 @@ def dapple_cells(block, tiles, most_h, most_v, ends, out):
         # Only blocks with cells, so that threads get equal shares.
         low = max(0, front - last_sheared, (front - 2) // 3, (front - 1 - height // block) // 2)
         high = min(front, last_weight, (front + 1) // 2, (front + 2 + width // block) // 3)
-        for b in numba.prange(low, high + 1):
-            visit_block(block, b * block, (front - b) * block, tiles, most_h, most_v, run_h, run_v, ends, out)
+        visit_blocks(high - low + 1, low, front, block, tiles, most_h, most_v, run_h, run_v, ends, out)
 
 
 @kernel()
@@ -230,7 +234,7 @@ def lay_bezel(across, out):
 
 
 @kernel(parallel=True)
-def fill_blocks(x, y, side, seed, stream, threshold, given, most_h, most_v, across, out):
+def fill_blocks(first, last, x, y, side, seed, stream, threshold, given, most_h, most_v, across, out):
     """Cells of a window of an endless dappled tiling, block by block.
 
     x, y : first cell. threshold : as in `fill_start`. given : uint8, the start of all blocks that the window
@@ -238,12 +242,14 @@ def fill_blocks(x, y, side, seed, stream, threshold, given, most_h, most_v, acro
     """
     height, width = out.shape
     first_x, first_y = x // side * side, y // side * side
-    columns, rows = (x + width - 1 - first_x) // side + 1, (y + height - 1 - first_y) // side + 1
-    for n in numba.prange(rows * columns):
+    columns = (x + width - 1 - first_x) // side + 1
+    for n in range(first, last):
         left, top = n % columns * side, n // columns * side
         block = np.empty((side + 2, side + 2), np.uint8)
         if given.size:
-            block[:] = given[top : top + side + 2, left : left + side + 2]
+            for j in range(side + 2):
+                for i in range(side + 2):
+                    block[j, i] = given[top + j, left + i]
         else:
             fill_start(first_x + left, first_y + top, seed, stream, threshold, block)
         lay_bezel(across, block)

@@ -2,7 +2,6 @@
 
 from typing import NamedTuple
 
-import numba
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
@@ -18,15 +17,15 @@ class Sides(NamedTuple):
 
 
 @kernel(parallel=True)
-def lay_whole_tiles(cells, points, count, x0, y0, out):
+def lay_whole_tiles(first, last, cells, points, count, x0, y0, out):
     """All points of every cell of a window, ``count`` of each tile, cell by cell.
 
     cells : int32 (h, w), rows of the set. points : float32 (rows count 2,), flat. x0, y0 : place of the
     first cell. out : float32 or float64 (h w count 2,), flat, filled.
     """
-    height, width = cells.shape
+    width = cells.shape[1]
     size = 2 * count
-    for i in numba.prange(height):
+    for i in range(first, last):
         y = out.dtype.type(y0 + i)
         for j in range(width):
             x = out.dtype.type(x0 + j)
@@ -46,13 +45,13 @@ def is_wanted(p, rank, i, j, left, top, right, bottom, points, ranks):
 
 
 @kernel(parallel=True)
-def count_points(cells, starts, points, ranks, rank, left, top, right, bottom, counts):
+def count_points(first, last, cells, starts, points, ranks, rank, left, top, right, bottom, counts):
     """How many points of each row of cells lie in a window, seen from the first cell, and below a rank.
 
     starts : int64 (rows + 1,), points : float32 (P, 2), ranks : float32 (P,), of one tile in rising order.
     counts : int64 (h,), filled.
     """
-    for i in numba.prange(cells.shape[0]):
+    for i in range(first, last):
         n = np.int64(0)
         for j in range(cells.shape[1]):
             row = cells[i, j]
@@ -66,7 +65,7 @@ def count_points(cells, starts, points, ranks, rank, left, top, right, bottom, c
 
 
 @kernel(parallel=True)
-def lay_points(cells, starts, points, ranks, rank, sides, firsts, x0, y0, out, named, names):
+def lay_points(first, last, cells, starts, points, ranks, rank, sides, firsts, x0, y0, out, named, names):
     """The points that `count_points` counts, in the order of cells and ranks.
 
     sides : `Sides`. firsts : int64 (h,), where each row of cells begins in ``out``, float32 or float64
@@ -74,7 +73,7 @@ def lay_points(cells, starts, points, ranks, rank, sides, firsts, x0, y0, out, n
     names : int64 (n, 3), filled if ``named``: row and column of the cell, and the number in the tile.
     """
     left, top, right, bottom = sides
-    for i in numba.prange(cells.shape[0]):
+    for i in range(first, last):
         n = firsts[i]
         for j in range(cells.shape[1]):
             row = cells[i, j]
@@ -88,14 +87,14 @@ def lay_points(cells, starts, points, ranks, rank, sides, firsts, x0, y0, out, n
 
 
 @kernel(parallel=True)
-def find_nearest(x, y, cells, starts, points, reach, names, squares):
+def find_nearest(first, last, x, y, cells, starts, points, reach, names, squares):
     """The nearest point to each position, among the cells around it.
 
     x, y : float64 (n,), positions within their own cell. cells : int32 (n, 2 reach + 1, 2 reach + 1), rows
     of the set around it. names : int64 (n, 3), row and column of the cell, from the position's own, and
     the number in the tile. squares : float64 (n,), squared distances; infinity where there is no point.
     """
-    for q in numba.prange(len(x)):
+    for q in range(first, last):
         squares[q] = np.inf
         for i in range(cells.shape[1]):
             for j in range(cells.shape[2]):
@@ -110,16 +109,16 @@ def find_nearest(x, y, cells, starts, points, reach, names, squares):
 
 
 @kernel(parallel=True)
-def lay_first_points(cells, quotas, firsts, starts, points, x0, y0, out):
+def lay_first_points(first, last, cells, quotas, firsts, starts, points, x0, y0, out):
     """The first points by rank of each cell.
 
     quotas : int32 (h, w), how many of each cell. firsts : int64 (h,), where each row of cells begins in
     ``out``, float64 (n, 2), filled.
     """
-    for i in numba.prange(cells.shape[0]):
+    for i in range(first, last):
         n = firsts[i]
         for j in range(cells.shape[1]):
-            first = starts[cells[i, j]]
-            for p in range(first, first + quotas[i, j]):
+            start = starts[cells[i, j]]
+            for p in range(start, start + quotas[i, j]):
                 out[n, 0], out[n, 1] = x0 + j + np.float64(points[p, 0]), y0 + i + np.float64(points[p, 1])
                 n += 1

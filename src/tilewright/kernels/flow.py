@@ -5,7 +5,6 @@ Ways are 0 to 3: north, east, south, west.
 
 from typing import NamedTuple
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -75,11 +74,6 @@ class Rules(NamedTuple):
     """(t,): chance to die, in units of 2^-32."""
     border: int
     """`TORUS`, `CLOSED` or `OPEN`."""
-
-
-def count_threads():
-    """How many threads parallel kernels use."""
-    return numba.get_num_threads()
 
 
 @kernel(inline=True)
@@ -213,12 +207,12 @@ def walk_particles(first, last, steps, particles, rules, passed):
 
 
 @kernel(parallel=True)
-def walk_in_parallel(steps, particles, rules, passed):
+def walk_in_parallel(first, last, steps, particles, rules, passed):
     """`walk_particles` for all, in as many parts as ``passed``, int64 (parts, h, w, 4), has tables."""
     parts, n = passed.shape[0], particles.x.size
-    for part in numba.prange(parts):
-        first, last = n * part // parts, n * (part + 1) // parts
-        walk_particles(first, last, steps, particles, rules, passed[part])
+    for part in range(first, last):
+        begin, end = n * part // parts, n * (part + 1) // parts
+        walk_particles(begin, end, steps, particles, rules, passed[part])
 
 
 @kernel()

@@ -6,7 +6,6 @@ divides tiles into. ``part_at`` numbers them.
 
 from typing import NamedTuple
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
 
@@ -223,14 +222,14 @@ def grow(key, points, fixed, count, torus, effort):
 
 
 @kernel(parallel=True)
-def grow_parts(keys, fixed, fixed_counts, count, torus, effort, kind, out, out_counts):
+def grow_parts(first, last, keys, fixed, fixed_counts, count, torus, effort, kind, out, out_counts):
     """Fill tori around fixed points and cut a part out of each: that of ``kind`` at lattice point (0, 0).
 
     keys : uint64 (m,). fixed : float64 (m, most, 2), fixed_counts : int32 (m,). count : points of a torus.
     out : float64 (m, slots, 2), the part's points as seen from the lattice point. out_counts : int32 (m,),
     or -1 where the torus could not be filled.
     """
-    for m in numba.prange(len(keys)):
+    for m in range(first, last):
         n = np.int64(fixed_counts[m])
         out_counts[m] = grow_part(keys[m], fixed[m], n, count, torus, effort, kind, out[m])
 
@@ -281,7 +280,7 @@ def count_inside(points, count):
 
 
 @kernel(parallel=True)
-def grow_interiors(keys, frame, wanted, r, cusp, effort, inner, inner_counts):
+def grow_interiors(first, last, keys, frame, wanted, r, cusp, effort, inner, inner_counts):
     """Fill the interior of every tile so that the whole tile holds ``wanted`` points.
 
     keys : uint64 (m,), one for each interior, variants of a tile one after another.
@@ -289,7 +288,7 @@ def grow_interiors(keys, frame, wanted, r, cusp, effort, inner, inner_counts):
     interior could not be filled.
     """
     per_tile = len(keys) // len(frame.items)
-    for m in numba.prange(len(keys)):
+    for m in range(first, last):
         inner_counts[m] = grow_interior(keys[m], m // per_tile, frame, wanted, r, cusp, effort, inner[m])
 
 
@@ -316,13 +315,13 @@ def open_interior(r, cusp):
 
 
 @kernel(parallel=True)
-def move_interiors(frame, r, cusp, distance, moves, sweeps, inner, inner_counts, settled):
+def move_interiors(first, last, frame, r, cusp, distance, moves, sweeps, inner, inner_counts, settled):
     """Move interior points by ``moves`` and push them apart; say which interiors keep the distance.
 
     moves : float64 (m, slots, 2). settled : bool (m,), filled.
     """
     per_tile = len(inner) // len(frame.items)
-    for m in numba.prange(len(inner)):
+    for m in range(first, last):
         points = np.empty((frame.points.shape[1] * 8 + inner.shape[1], 2))
         fixed = assemble(m // per_tile, frame, points)
         torus = open_interior(r, cusp)

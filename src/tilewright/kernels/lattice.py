@@ -1,16 +1,13 @@
 """Colors on the integer lattice and the tiles they make: the inner loops of direct tilings."""
 
-import numba
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
+from tilewright.kernels.threads import ParallelKernel
 
 # Xorshift-multiply constants of Wellons' hash prospector ("lowbias32").
 _M1 = np.uint32(0x21F0AAAD)
 _M2 = np.uint32(0xD35A2D97)
-
-STRIP = 64
-"""Rows of cells that one thread fills in turn, so that few rows are colored twice."""
 
 
 @kernel(inline=True)
@@ -73,57 +70,60 @@ def color_row(x_low, runs, x_high, y, z, stream, seed, count, out):
 
 
 @kernel(parallel=True)
-def fill_colors(x_low, runs, x_high, y, z, stream, seed, count, out):
+def fill_colors(first, last, x_low, runs, x_high, y, z, stream, seed, count, out):
     """Color of ``count`` at every lattice point of the grid ``y`` x ``x``.
 
     x_low, runs, x_high : as in `color_row`. y : int64 (h,). out : uint8 (h, w), filled.
     """
-    for i in numba.prange(y.size):
+    for i in range(first, last):
         color_row(x_low, runs, x_high, y[i], z, stream, seed, count, out[i])
 
 
 @kernel(parallel=True)
-def fill_words(x, y, z, stream, seed, out):
+def fill_words(first, last, x, y, z, stream, seed, out):
     """The hash of lattice points given one by one: x, y, z int64 (n,), out uint32 (n,)."""
-    for p in numba.prange(x.size):
+    for p in range(first, last):
         a, b = start_row(stream, seed, z[p], x[p] >> 32, y[p])
         out[p] = finish_word(a, b, np.uint32(x[p] & np.int64(0xFFFFFFFF)))
 
 
-@kernel(parallel=True)
-def fill_corner_ids(x_low, runs, x_high, y, seed, colors, out):
+@kernel()
+def fill_corner_rows(first, last, x_low, runs, x_high, y, seed, colors, out):
     """Index of a complete set's corner tile at each cell (Lagae 2007, section 3.3.1 and eq. 2.5).
 
     The thesis lets y grow up, so that the tile at (x, y) has h(x, y) at SW; here y grows south and h(x, y) is
     at NW: c_NE, c_SE, c_SW, c_NW are h(x+1, y), h(x+1, y+1), h(x, y+1), h(x, y).
     x_low, runs, x_high : the w + 1 columns of lattice points, as in `color_row`. y : int64 (h + 1,).
-    out : int32 (h, w), filled. Rows are colored once for each strip of cells.
+    out : int32 (h, w), filled.
     """
-    height, width = out.shape
+    width = out.shape[1]
     c = np.int32(colors)
-    for strip in numba.prange((height + STRIP - 1) // STRIP):
-        north, south = np.empty(width + 1, np.uint8), np.empty(width + 1, np.uint8)
-        first = strip * STRIP
-        color_row(x_low, runs, x_high, y[first], 0, 0, seed, colors, north)
-        for i in range(first, min(first + STRIP, height)):
-            color_row(x_low, runs, x_high, y[i + 1], 0, 0, seed, colors, south)
-            for j in range(width):
-                east = np.int32(north[j + 1]) * c + np.int32(south[j + 1])
-                out[i, j] = (east * c + np.int32(south[j])) * c + np.int32(north[j])
-            north, south = south, north
+    lines = np.empty((2, width + 1), np.uint8)
+    color_row(x_low, runs, x_high, y[first], 0, 0, seed, colors, lines[first & 1])
+    for i in range(first, last):
+        row, north, south = out[i], lines[i & 1], lines[(i + 1) & 1]
+        color_row(x_low, runs, x_high, y[i + 1], 0, 0, seed, colors, south)
+        for j in range(width):
+            east = np.int32(north[j + 1]) * c + np.int32(south[j + 1])
+            row[j] = (east * c + np.int32(south[j])) * c + np.int32(north[j])
+
+
+fill_corner_ids = ParallelKernel(fill_corner_rows)
 
 
 @kernel(parallel=True)
-def fill_classed_ids(x_low, runs, x_high, y, seed, colors, column_classes, row_classes, classes, out):
+def fill_classed_ids(
+    first, last, x_low, runs, x_high, y, seed, colors, column_classes, row_classes, classes, out
+):
     """Index of the tile of a classed corner set at each cell: that of a complete set in the class at NW.
 
     x_low, runs, x_high : the w + 1 columns of lattice points, as in `color_row`. y : int64 (h + 1,).
     column_classes : int32 (w,), class of NW corners in row 0; row_classes : int32 (h,), what rows add.
     out : int32 (h, w), filled.
     """
-    fill_corner_ids(x_low, runs, x_high, y, seed, colors, out)
+    fill_corner_rows(first, last, x_low, runs, x_high, y, seed, colors, out)
     tiles, most = np.int32(colors) ** 4, np.int32(classes)
-    for i in numba.prange(out.shape[0]):
+    for i in range(first, last):
         ahead, row = np.int32(row_classes[i]), out[i]
         for j in range(row.size):
             at = column_classes[j] + ahead
@@ -132,7 +132,7 @@ def fill_classed_ids(x_low, runs, x_high, y, seed, colors, column_classes, row_c
 
 @kernel(parallel=True)
 def fill_wang_ids(
-    h_low, h_runs, h_high, v_low, v_runs, v_high, h_rows, v_rows, seed, colors_h, colors_v, out
+    first, last, h_low, h_runs, h_high, v_low, v_runs, v_high, h_rows, v_rows, seed, colors_h, colors_v, out
 ):
     """Index of a complete set's Wang tile at each cell (Lagae 2007, section 3.3.2.3 and eq. 2.2).
 
@@ -140,17 +140,14 @@ def fill_wang_ids(
     v_low, v_runs, v_high : the w + 1 columns of vertical edges; v_rows : int64 (h,).
     out : int32 (h, w), filled.
     """
-    height, width = out.shape
+    width = out.shape[1]
     c, d = np.int32(colors_h), np.int32(colors_v)
-    for strip in numba.prange((height + STRIP - 1) // STRIP):
-        north, south = np.empty(width, np.uint8), np.empty(width, np.uint8)
-        across = np.empty(width + 1, np.uint8)
-        first = strip * STRIP
-        color_row(h_low, h_runs, h_high, h_rows[first], 0, 0, seed, colors_h, north)
-        for i in range(first, min(first + STRIP, height)):
-            color_row(h_low, h_runs, h_high, h_rows[i + 1], 0, 0, seed, colors_h, south)
-            color_row(v_low, v_runs, v_high, v_rows[i], 0, 0, seed, colors_v, across)
-            for j in range(width):
-                code = np.int32(north[j]) * d + np.int32(across[j + 1])
-                out[i, j] = (code * c + np.int32(south[j])) * d + np.int32(across[j])
-            north, south = south, north
+    lines, across = np.empty((2, width), np.uint8), np.empty(width + 1, np.uint8)
+    color_row(h_low, h_runs, h_high, h_rows[first], 0, 0, seed, colors_h, lines[first & 1])
+    for i in range(first, last):
+        row, north, south = out[i], lines[i & 1], lines[(i + 1) & 1]
+        color_row(h_low, h_runs, h_high, h_rows[i + 1], 0, 0, seed, colors_h, south)
+        color_row(v_low, v_runs, v_high, v_rows[i], 0, 0, seed, colors_v, across)
+        for j in range(width):
+            code = np.int32(north[j]) * d + np.int32(across[j + 1])
+            row[j] = (code * c + np.int32(south[j])) * d + np.int32(across[j])

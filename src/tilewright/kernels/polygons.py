@@ -4,13 +4,9 @@ polygon : float64 (room, 3), corners counterclockwise where y is up: x and y, wi
 and a number for the edge to the next corner.
 """
 
-import numba
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
-
-CHUNK = 256
-"""Points that one thread moves with the same scratch."""
 
 
 @kernel()
@@ -76,12 +72,20 @@ def find_reach(polygon, corners):
 
 
 @kernel()
+def copy_rows(rows, count, out):
+    """Copy the first ``count`` rows."""
+    for i in range(count):
+        for j in range(rows.shape[1]):
+            out[i, j] = rows[i, j]
+
+
+@kernel()
 def enlarge(rows, needed):
     """``rows`` or, if it has fewer than ``needed``, a copy with at least twice as many."""
     if needed <= rows.shape[0]:
         return rows
     larger = np.empty((max(needed, 2 * rows.shape[0]), rows.shape[1]))
-    larger[: rows.shape[0]] = rows
+    copy_rows(rows, rows.shape[0], larger)
     return larger
 
 
@@ -172,20 +176,18 @@ def put_inside(x, extent, torus):
 
 
 @kernel(parallel=True)
-def move_to_centroids(points, starts, counts, extent, torus, moved, areas, nearest):
+def move_to_centroids(first, last, points, starts, counts, extent, torus, moved, areas, nearest):
     """The centroid of each point's Voronoi cell, the cell's area and how far the nearest point is.
 
     points, starts, counts : as in `find_voronoi_cell`. moved : float64 (n, 2), areas and nearest : float64
     (n,), filled; nearest is measured before the move.
     """
-    n = points.shape[0]
-    for chunk in numba.prange((n + CHUNK - 1) // CHUNK):
-        polygon, spare = np.empty((32, 3)), np.empty((32, 3))
-        for p in range(chunk * CHUNK, min(n, (chunk + 1) * CHUNK)):
-            corners, square, polygon, spare = find_voronoi_cell(
-                p, points, starts, counts, extent, torus, polygon, spare
-            )
-            areas[p], x, y = find_centroid(polygon, corners)
-            moved[p, 0] = put_inside(points[p, 0] + x, extent[0], torus)
-            moved[p, 1] = put_inside(points[p, 1] + y, extent[1], torus)
-            nearest[p] = np.sqrt(square)
+    polygon, spare = np.empty((32, 3)), np.empty((32, 3))
+    for p in range(first, last):
+        corners, square, polygon, spare = find_voronoi_cell(
+            p, points, starts, counts, extent, torus, polygon, spare
+        )
+        areas[p], x, y = find_centroid(polygon, corners)
+        moved[p, 0] = put_inside(points[p, 0] + x, extent[0], torus)
+        moved[p, 1] = put_inside(points[p, 1] + y, extent[1], torus)
+        nearest[p] = np.sqrt(square)

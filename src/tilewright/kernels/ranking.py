@@ -1,6 +1,5 @@
 """Orders of points in which every beginning is evenly spread, over all tiles of a set at once."""
 
-import numba
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
@@ -17,7 +16,9 @@ def weigh(square, reach):
 
 
 @kernel(parallel=True)
-def list_pairs(points, starts, classes, alive, contexts, reach, counts, offsets, fill, partners, shares):
+def list_pairs(
+    first, last, points, starts, classes, alive, contexts, reach, counts, offsets, fill, partners, shares
+):
     """Pairs of points that are within reach, seen from the points of every row.
 
     contexts : int32 (rows, k, 8), the rows around each row, row by row from the north-west, or -1.
@@ -25,8 +26,8 @@ def list_pairs(points, starts, classes, alive, contexts, reach, counts, offsets,
     int64 (rows,), where a row's pairs are written if ``fill``: partners int32 (pairs, 2), the class of the
     one and of the other, and shares float32 (pairs,).
     """
-    rows, k = contexts.shape[0], contexts.shape[1]
-    for m in numba.prange(rows):
+    k = contexts.shape[1]
+    for m in range(first, last):
         n = np.int64(0)
         for i in range(starts[m], starts[m + 1]):
             if not alive[classes[i]]:

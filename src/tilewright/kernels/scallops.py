@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tilewright.kernels.chance import draw_unit, draw_word
 from tilewright.kernels.compiled import kernel
 from tilewright.kernels.darts import find_home, place
-from tilewright.kernels.polygons import enlarge, put_inside
+from tilewright.kernels.polygons import copy_rows, enlarge, put_inside
 from tilewright.kernels.sectors import (
     FIELDS,
     draw_from_sectors,
@@ -94,7 +94,7 @@ def store_region(i, sectors, count, rows, used, regions):
         used += regions.room[i]
         rows = enlarge(rows, used)
     first = regions.starts[i]
-    rows[first : first + count] = sectors[:count]
+    copy_rows(sectors, count, rows[first:])
     regions.sizes[i] = count
     set_weight(regions.tree, i, sum_areas(sectors, count))
     return rows, used

@@ -1,13 +1,12 @@
 """Tone laid over pictures put together from tiles."""
 
-import numba
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
 
 
 @kernel(parallel=True)
-def add_texels(texels, texel, left, top, highest, out):
+def add_texels(first, last, texels, texel, left, top, highest, out):
     """Add tone to a picture, interpolated between the middles of texels.
 
     texels : float32 (rows, columns, channels).
@@ -15,14 +14,17 @@ def add_texels(texels, texel, left, top, highest, out):
     highest : the largest value of an integer type; 0 of floats, which are not rounded.
     out : (h, w, channels), changed.
     """
-    height, width, channels = out.shape
+    _, width, channels = out.shape
     scale, half = np.float32(1 / texel), np.float32(0.5)
-    for i in numba.prange(height):
+    line = np.empty_like(texels[0])
+    for i in range(first, last):
         at = (np.float32(i + top) + half) * scale - half
         row = int(at)
         share = at - np.float32(row)
         above, below = texels[row], texels[row + 1]
-        line = above + share * (below - above)
+        for k in range(line.shape[0]):
+            for c in range(channels):
+                line[k, c] = above[k, c] + share * (below[k, c] - above[k, c])
         for j in range(width):
             at = (np.float32(j + left) + half) * scale - half
             column = int(at)

@@ -1,6 +1,5 @@
 """Which variant of its tile lies in each cell."""
 
-import numba
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
@@ -8,7 +7,7 @@ from tilewright.kernels.lattice import finish_word, start_row
 
 
 @kernel(parallel=True)
-def choose_rows(x_low, runs, x_high, y, z, stream, seed, starts, thresholds, even, rows):
+def choose_rows(first, last, x_low, runs, x_high, y, z, stream, seed, starts, thresholds, even, rows):
     """Replace the tile of each cell by the row of one of its variants, drawn by the mixer at the cell.
 
     x_low, runs, x_high : as in `color_row`. y : int64 (h,). z : int64.
@@ -16,7 +15,7 @@ def choose_rows(x_low, runs, x_high, y, z, stream, seed, starts, thresholds, eve
     even : int64, variants of every tile where all are drawn alike, else 0.
     rows : int32 (h, w), tiles, then rows.
     """
-    for i in numba.prange(y.size):
+    for i in range(first, last):
         for k in range(x_high.size):
             a, b = start_row(stream, seed, z, x_high[k], y[i])
             for j in range(runs[k], runs[k + 1]):

@@ -5,12 +5,19 @@ offsets : int64 (8, 2), the cell there, x first. starts : int64 (8, T + 1), memb
 can be in direction d of tile t are members[starts[d, t] : starts[d, t + 1]].
 """
 
-import numba
 import numpy as np
 
 from tilewright.kernels.chance import draw_unit
 from tilewright.kernels.compiled import kernel
-from tilewright.kernels.polygons import cut_cell, enlarge, find_centroid, find_reach, is_cut, start_cell
+from tilewright.kernels.polygons import (
+    copy_rows,
+    cut_cell,
+    enlarge,
+    find_centroid,
+    find_reach,
+    is_cut,
+    start_cell,
+)
 
 
 @kernel(inline=True)
@@ -67,14 +74,14 @@ def throw_tile_darts(
 
 
 @kernel(parallel=True)
-def average_moves(points, offsets, neighborhoods, moves):
+def average_moves(first, last, points, offsets, neighborhoods, moves):
     """The way of each point to the centroid of its Voronoi cell, mean over neighborhoods of its tile.
 
     points : float64 (T, n, 2). neighborhoods : int32 (T, K, 8), tiles in the directions of ``offsets``.
     moves : float64 (T, n, 2), filled.
     """
-    tiles, n = points.shape[0], points.shape[1]
-    for p in numba.prange(tiles * n):
+    n = points.shape[1]
+    for p in range(first, last):
         tile, i = p // n, p % n
         own, cell, spare = np.empty((32, 3)), np.empty((32, 3)), np.empty((32, 3))
         x, y = points[tile, i, 0], points[tile, i, 1]
@@ -85,7 +92,7 @@ def average_moves(points, offsets, neighborhoods, moves):
         mx = my = 0.0
         for k in range(neighborhoods.shape[1]):
             cell = enlarge(cell, corners)
-            cell[:corners] = own[:corners]
+            copy_rows(own, corners, cell)
             left = corners
             for d in range(8):
                 ox, oy = offsets[d, 0], offsets[d, 1]

@@ -107,9 +107,8 @@ def centroids(
     n = len(points)
     bins = Bins.of(points, box, 0.0, 0.5)
     moved, areas, nearest = np.empty((n, 2)), np.empty(n), np.empty(n)
-    move_to_centroids(
-        points[bins.order], bins.starts, bins.counts, np.array(box.extent), box.torus, moved, areas, nearest
-    )
+    held = (points[bins.order], bins.starts, bins.counts)
+    move_to_centroids(n, *held, np.array(box.extent), box.torus, moved, areas, nearest)
     results = []
     for made in (moved, areas, nearest):
         results.append(np.empty_like(made))

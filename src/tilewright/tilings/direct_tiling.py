@@ -128,7 +128,8 @@ def _fill_corners(hash: MixerHash, at: Lattice, out: NDArray[np.int32]) -> None:
     """`corners` and the tiles' indices in one pass."""
     from tilewright.kernels.lattice import fill_corner_ids
 
-    fill_corner_ids(*split_row(at.points(0)), at.points(1), hash.seed, np.uint32(at.tiles.colors[0]), out)
+    columns, count = split_row(at.points(0)), np.uint32(at.tiles.colors[0])
+    fill_corner_ids(len(out), *columns, at.points(1), hash.seed, count, out)
 
 
 def _fill_classed(hash: MixerHash, at: Lattice, out: NDArray[np.int32]) -> None:
@@ -138,7 +139,8 @@ def _fill_classed(hash: MixerHash, at: Lattice, out: NDArray[np.int32]) -> None:
     columns, rows = (c[:-1].astype(np.int32) for c in (column_classes(at), row_classes(at)))
     count, classes = np.uint32(at.tiles.parameters["colors"]), at.tiles.parameters["classes"]
     points = split_row(at.points(0))
-    fill_classed_ids(*points, at.points(1), hash.seed, count, columns, rows, np.int32(classes), out)
+    given = (hash.seed, count, columns, rows, np.int32(classes))
+    fill_classed_ids(len(out), *points, at.points(1), *given, out)
 
 
 def _fill_edges(hash: MixerHash, at: Lattice, out: NDArray[np.int32]) -> None:
@@ -147,7 +149,8 @@ def _fill_edges(hash: MixerHash, at: Lattice, out: NDArray[np.int32]) -> None:
 
     c_h, c_v = (np.uint32(c) for c in at.tiles.colors[:2])
     between, lines = split_row(2 * at.cells(0) + 1), split_row(2 * at.points(0))
-    fill_wang_ids(*between, *lines, 2 * at.points(1), 2 * at.cells(1) + 1, hash.seed, c_h, c_v, out)
+    rows = (2 * at.points(1), 2 * at.cells(1) + 1)
+    fill_wang_ids(len(out), *between, *lines, *rows, hash.seed, c_h, c_v, out)
 
 
 def direct(

@@ -214,7 +214,7 @@ class MixerHash(LatticeHash):
 
         points = np.broadcast_arrays(*check_point(stream, x, y, z))
         out = np.empty(points[0].size, np.uint32)
-        fill_words(*(np.array(p).ravel() for p in points), stream, self.seed, out)
+        fill_words(out.size, *(np.array(p).ravel() for p in points), stream, self.seed, out)
         return out.astype(np.int64).reshape(points[0].shape)
 
     def colors(self, count: int, stream: int, *point: ArrayLike) -> Colors:
@@ -233,7 +233,7 @@ class MixerHash(LatticeHash):
         x, y, z = (*axes, zero, zero)[:3]
         out = np.empty((len(z), len(y), len(x)), np.uint8)
         for layer, at in zip(out, z, strict=True):
-            fill_colors(*split_row(x), y, at, stream, self.seed, np.uint32(count), layer)
+            fill_colors(len(y), *split_row(x), y, at, stream, self.seed, np.uint32(count), layer)
         return out.reshape(tuple(len(axis) for axis in reversed(axes)))
 
     def numbers(self, stream: int, *point: ArrayLike) -> NDArray[np.int64]:

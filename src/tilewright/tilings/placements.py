@@ -59,7 +59,6 @@ def draw_rows(
     rows = indices.copy()
     row = split_row(x)
     for layer, at in zip(rows.reshape(len(z), len(y), len(x)), z, strict=True):
-        choose_rows(
-            *row, y, at, VARIANTS, hash.seed, variants.starts, variants.thresholds, variants.even, layer
-        )
+        table = (variants.starts, variants.thresholds, variants.even)
+        choose_rows(len(y), *row, y, at, VARIANTS, hash.seed, *table, layer)
     return rows

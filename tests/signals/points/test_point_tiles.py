@@ -5,6 +5,7 @@ import pytest
 from scipy.spatial import cKDTree
 
 import tilewright as tw
+from cores import cores
 from tilewright.errors import TilewrightValueError
 from tilewright.signals.points.anatomy import OFFSETS, anatomy_of
 from tilewright.signals.points.plan import Parts, Plan, fill_interiors
@@ -100,14 +101,8 @@ def test_mean_spectrum_is_the_exact_sum():
 
 
 def test_the_same_seed_gives_the_same_bytes_on_any_number_of_threads(balanced):
-    import numba
-
-    threads = numba.get_num_threads()
-    numba.set_num_threads(1)
-    try:
+    with cores(3):
         again = tw.poisson_tiles(balanced.tiles, 32, 0.7, seed=3)
-    finally:
-        numba.set_num_threads(threads)
     assert again.points.tobytes() == balanced.points.tobytes()
     assert again.ranks.tobytes() == balanced.ranks.tobytes()
     other = tw.poisson_tiles(balanced.tiles, 32, 0.7, method="relaxed", seed=4)

@@ -2,11 +2,11 @@
 
 from itertools import product
 
-import numba
 import numpy as np
 import pytest
 from scipy.spatial import Delaunay, Voronoi
 
+from cores import cores
 from laying import SIDE, fits_all_around, lay, nearest, random_cells
 from tilewright.analysis.points.border import border_density
 from tilewright.errors import Cancelled, TilewrightTypeError, TilewrightValueError
@@ -226,7 +226,7 @@ def test_average_moves_against_qhull():
     points = rng.random((8, n, 2))
     rings = np.stack([Surroundings.of(Neighbors.of(tiles), t).draw(3, rng) for t in range(8)])
     moves = np.empty_like(points)
-    average_moves(points, OFFSETS, rings, moves)
+    average_moves(8 * n, points, OFFSETS, rings, moves)
     slow = np.zeros_like(points)
     for t, ring in product(range(8), range(3)):
         blocks = [points[t]] + [points[u] + o for u, o in zip(rings[t, ring], OFFSETS, strict=True)]
@@ -284,14 +284,10 @@ def test_hiller_refuses_a_tile_that_nothing_fits_around():
 
 
 def test_hiller_is_the_same_for_any_number_of_threads():
-    before = numba.get_num_threads()
-    try:
-        made = []
-        for threads in (1, numba.config.NUMBA_NUM_THREADS):
-            numba.set_num_threads(threads)
+    made = []
+    for count in (1, 3):
+        with cores(count):
             made.append(hiller_tiles(points=8, iterations=5, configurations=16, seed=4).points.tobytes())
-    finally:
-        numba.set_num_threads(before)
     assert made[0] == made[1]
 
 

@@ -45,7 +45,8 @@ def light(maps: dict[str, NDArray[Any]], relief: float) -> NDArray[np.uint8]:
     around = np.linspace(0, 2 * np.pi, 12, endpoint=False)
     ring = np.rint(_RING * np.stack([np.cos(around), np.sin(around)], axis=1)).astype(np.int64)
     to_sun = np.append(sun, sun[2] / longest).astype(np.float32)
-    light_surface(height, normal, color, to_sun, path, ring, np.array(_LIGHTS, np.float32), *_tables(), out)
+    lights = np.array(_LIGHTS, np.float32)
+    light_surface(len(out), height, normal, color, to_sun, path, ring, lights, *_tables(), out)
     return np.concatenate([out, alpha], axis=2) if alpha.size else out
 
 

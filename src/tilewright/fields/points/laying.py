@@ -61,8 +61,8 @@ class LaidPoints:
         from tilewright.kernels.emission import count_points
 
         counts = np.zeros(view.cells.shape[0], np.int64)
-        tiles = self.tiles
-        count_points(view.cells, tiles.starts, tiles.points, tiles.ranks, rank, *view.window.bounds, counts)
+        held = (self.tiles.starts, self.tiles.points, self.tiles.ranks)
+        count_points(len(counts), view.cells, *held, rank, *view.window.bounds, counts)
         return counts
 
     def _lay(
@@ -91,11 +91,12 @@ class LaidPoints:
         x0, y0 = view.window.origin(local, kinds, self._spacing)
         names = np.zeros((n if named else 0, 3), np.int64)
         if counts is None:
-            lay_whole_tiles(view.cells, tiles.points.ravel(), self._same, x0, y0, target.reshape(-1))
+            flat, rows = target.reshape(-1), len(view.cells)
+            lay_whole_tiles(rows, view.cells, tiles.points.ravel(), self._same, x0, y0, flat)
         else:
             held, sides = (tiles.starts, tiles.points, tiles.ranks), Sides(*view.window.bounds)
             firsts = np.cumsum(counts) - counts
-            lay_points(view.cells, *held, rank, sides, firsts, x0, y0, target, named, names)
+            lay_points(len(counts), view.cells, *held, rank, sides, firsts, x0, y0, target, named, names)
         if function is None:
             return target, names
         kept = self._ranks_of(view, names) < evaluate_density(function, *target.T)
@@ -128,7 +129,8 @@ class LaidPoints:
             points = np.empty((int(per_row[rows].sum()), 2))
             firsts = np.cumsum(per_row[rows]) - per_row[rows]
             starts, held = self.tiles.starts, self.tiles.points
-            lay_first_points(view.cells[rows], quotas[rows], firsts, starts, held, x0, y0 + top, points)
+            cells = view.cells[rows]
+            lay_first_points(len(cells), cells, quotas[rows], firsts, starts, held, x0, y0 + top, points)
             yield points
 
 

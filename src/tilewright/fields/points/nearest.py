@@ -66,6 +66,7 @@ class NearestSearch:
         inside = positions[which] - np.floor(positions[which])
         found, squares = np.zeros((len(which), 3), np.int64), np.zeros(len(which))
         find_nearest(
+            len(which),
             inside[:, 0],
             inside[:, 1],
             self.rows_of(cells),

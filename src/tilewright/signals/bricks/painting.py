@@ -71,9 +71,9 @@ def paint(
     )
     noise = lay_noise(words, unit, start, (w, h))
     lime = np.append(style.lime, 0.95).astype(np.float32)
-    paint_bricks(index, bricks, keys, noise, edges, finish, lime, surface)
+    paint_bricks(h, index, bricks, keys, noise, edges, finish, lime, surface)
     levels, normal = np.empty((h - 2, w - 2), np.uint16), np.empty((h - 2, w - 2, 3), np.uint8)
-    fill_relief(surface.height, look.relief, levels, normal)
+    fill_relief(h - 2, surface.height, look.relief, levels, normal)
     inner = (slice(1, -1), slice(1, -1))
     return {
         "color": color[inner],

@@ -152,5 +152,6 @@ def _move_interiors(plan: Plan, parts: Parts, moves: NDArray[np.float64], sweeps
 
     settled = np.zeros(len(parts.inner), bool)
     frame, radius, distance = parts.frame_around(plan.anatomy.items), plan.shape_settings, plan.distance
-    move_interiors(frame, *radius, distance, moves, sweeps, parts.inner, parts.inner_counts, settled)
+    inner = (parts.inner, parts.inner_counts)
+    move_interiors(len(settled), frame, *radius, distance, moves, sweeps, *inner, settled)
     return np.flatnonzero(~settled)

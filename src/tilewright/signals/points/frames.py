@@ -107,7 +107,7 @@ def _grow_kind(plan: Plan, parts: Parts, kind: int, is_first: bool, choose: bool
         made, made_counts = np.zeros((len(missing), *points.shape[1:])), np.zeros(len(missing), np.int32)
         fixed, fixed_counts = around.fixed[missing], around.fixed_counts[missing]
         count = plan.points * size[0] * size[1]
-        grow_parts(keys, fixed, fixed_counts, count, torus, effort, kind, made, made_counts)
+        grow_parts(len(keys), keys, fixed, fixed_counts, count, torus, effort, kind, made, made_counts)
         points[missing], counts[missing] = made, made_counts
         good = counts >= 0
         if choose and len(np.unique(owners[good])) == len(np.unique(owners)):

@@ -109,7 +109,7 @@ def hiller_tiles(
         close = find_closeness(made)
         radii.append((close.within, close.across))
         if done < rounds:
-            average_moves(placed, OFFSETS, neighborhoods, moves)
+            average_moves(placed.shape[0] * placed.shape[1], placed, OFFSETS, neighborhoods, moves)
             placed = np.clip(placed + moves, 0, np.nextafter(1, 0))
     intra, inter = np.minimum(np.array(radii) / 2 / max_radius(n, Box()), 1).T
     return PointTiles(

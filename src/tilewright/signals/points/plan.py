@@ -173,7 +173,7 @@ def fill_interiors(plan: Plan, parts: Parts, which: NDArray[np.intp], round: int
     counts = np.zeros(len(which), np.int32)
     frame = parts.frame_around(plan.anatomy.items[which // plan.variants])
     effort = Effort(plan.distance, plan.lloyd, attempts, SWEEPS)
-    grow_interiors(keys, frame, plan.points, *plan.shape_settings, effort, inner, counts)
+    grow_interiors(len(keys), keys, frame, plan.points, *plan.shape_settings, effort, inner, counts)
     made = counts >= 0
     parts.inner[which[made]] = inner[made]
     parts.inner_counts[which[made]] = counts[made]

@@ -108,7 +108,7 @@ def find_closeness(tiles: PointTiles, reach: float = 1.0) -> Closeness:
 
     points = tiles.points.astype(np.float64)
     closest = np.full(len(tiles.starts) - 1, inf)
-    find_closest_within(points, tiles.starts, closest)
+    find_closest_within(len(closest), points, tiles.starts, closest)
     meeting = _Meeting.of(tiles.tiles)
     edges = (_across(tiles, points, reach, step, meeting) for step in ((1, 0), (0, 1)))
     corners = (_across(tiles, points, reach, step, meeting) for step in ((1, 1), (-1, 1)))
@@ -172,6 +172,7 @@ def _across(
     far, far_starts = _near(tiles, points, reach, (-step[0], -step[1]))
     closest = np.full(len(tiles.starts) - 1, inf)
     find_closest(
+        len(closest),
         near,
         near_starts,
         far,

@@ -118,10 +118,11 @@ def _loads(
     rows = len(starts) - 1
     counts, none = np.zeros(rows, np.int64), np.zeros(rows, np.int64)
     pairs, shares = np.zeros((0, 2), np.int32), np.zeros(0, np.float32)
-    list_pairs(points, starts, classes, alive, contexts, reach, counts, none, False, pairs, shares)
+    given = (rows, points, starts, classes, alive, contexts, reach, counts)
+    list_pairs(*given, none, False, pairs, shares)
     offsets = np.cumsum(counts) - counts
     pairs, shares = np.zeros((int(counts.sum()), 2), np.int32), np.zeros(int(counts.sum()), np.float32)
-    list_pairs(points, starts, classes, alive, contexts, reach, counts, offsets, True, pairs, shares)
+    list_pairs(*given, offsets, True, pairs, shares)
     mean = shares / np.bincount(classes, minlength=len(alive))[pairs[:, 0]]
     load = np.bincount(pairs[:, 0], mean, len(alive))
     order = np.argsort(pairs[:, 1], kind="stable")

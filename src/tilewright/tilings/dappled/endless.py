@@ -105,7 +105,9 @@ class EndlessDappledTiling(Tiling):
             given = self._evaluate(self.start, x, y, width, height)
         else:
             threshold = round(self.start * 2**31)
-        fill_blocks(x, y, SIDE, self.seed, DAPPLE_ENDLESS, threshold, given, *self._most, self._across, out)
+        columns, rows = ((at + size - 1) // SIDE - at // SIDE + 1 for at, size in ((x, width), (y, height)))
+        chance = (self.seed, DAPPLE_ENDLESS, threshold, given)
+        fill_blocks(columns * rows, x, y, SIDE, *chance, *self._most, self._across, out)
         return out
 
     def _evaluate(
