@@ -14,6 +14,6 @@ def cores(count: int) -> Iterator[None]:
     """Share every loop among ``count`` threads."""
     with (
         mock.patch.object(numba.config, "NUMBA_NUM_THREADS", count),
-        mock.patch.multiple(threads, _WORTH=0.0, _pool=None),
+        mock.patch.multiple(threads, _WORTH=1e-12, _pool=None),
     ):
         yield
