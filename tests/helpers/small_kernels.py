@@ -12,7 +12,9 @@ import numba
 import numpy as np
 
 import tilewright as tw
-from tilewright.signals.textures.tone import Tone
+from tilewright.signals.textures.exemplar import Exemplar
+from tilewright.signals.textures.sheet import reduce_blocks, sum_variances
+from tilewright.signals.textures.tone import Tone, take_tone
 
 
 def tilings():
@@ -76,6 +78,11 @@ def textures():
     yield "texture", material.origins
     yield "field", tw.TextureField(material, tw.direct(material.tiles, 7)).render(-5, 3, 40, 20)
     toned = replace(material, tone=Tone(16, 1, {"albedo": rng.normal(0, 9, (5, 7, 1)).astype(np.float32)}))
+    color = rng.random((33, 32, 3)).astype(np.float32)
+    yield "blocks", reduce_blocks(color, 2)
+    yield "variances", np.array(sum_variances(color.reshape(-1, 3)))
+    taken, _ = take_tone(Exemplar([{"color": (color * 255).astype(np.uint8)}]), 16)
+    yield "tone", taken.maps["color"]
     yield "toned", tw.TextureField(toned, tw.direct(material.tiles, 7)).render(-5, 3, 40, 20)
 
 

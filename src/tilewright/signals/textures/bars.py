@@ -10,7 +10,7 @@ from scipy.ndimage import find_objects, label, maximum_filter
 from tilewright.signals.textures.lone import SCALES, stand_out
 from tilewright.signals.textures.manner import Manner
 from tilewright.signals.textures.rhythm import Rhythm
-from tilewright.signals.textures.sheet import Sheet
+from tilewright.signals.textures.sheet import Sheet, sum_channels
 
 CORNER_SHOWS = (0.55, 0.55)
 """Height and width of the middle of a corner patch that shows, in tiles, where it may hold no lone thing."""
@@ -115,7 +115,7 @@ class Bars:
         salience = np.zeros(self.sheet.usable.shape, np.float32)
         for scale in SCALES:
             offset = stand_out(self.sheet.features, self.sheet.usable, scale * self.size, floor=1e-3)
-            np.maximum(salience, np.sqrt((offset**2).sum(axis=2)), out=salience)
+            np.maximum(salience, np.sqrt(sum_channels(offset**2)), out=salience)
         most = self._near(salience, *CORNER_SHOWS)[rows, columns]
         return np.maximum(most / max(float(np.median(most)), 1e-9) - 1, 0)
 

@@ -55,8 +55,8 @@ class Frame:
 
     def superellipse(self, reach: float) -> NDArray[np.bool_]:
         """A square with round corners (exponent 4), ``reach`` tiles from the middle to its sides."""
-        radius = reach * self.size
-        return (self.u / radius) ** 4 + (self.v / radius) ** 4 < 1
+        powers = ((np.arange(self.size) + 0.5 - self.half) / (reach * self.size)) ** 4
+        return powers + powers[:, np.newaxis] < 1
 
     def ring(self, core: NDArray[np.bool_], limit: NDArray[np.bool_]) -> NDArray[np.uint8]:
         """State of a patch that must fill ``core`` and may reach up to ``limit``."""
@@ -71,6 +71,11 @@ class Frame:
         south = (self.v > 0) & (np.abs(self.u) < self.v)
         west = (self.u < 0) & ~north & ~south
         return north, ~(north | south | west), south, west
+
+    @cached_property
+    def triangle_pixels(self) -> tuple[tuple[NDArray[np.intp], ...], ...]:
+        """Rows and columns of the pixels of each triangle."""
+        return tuple(triangle.nonzero() for triangle in self.triangles)
 
     def edge_offset(self, side: int) -> tuple[int, int]:
         """Canvas of edge N, E, S or W, seen from the tile: edge pixel = tile pixel + this."""

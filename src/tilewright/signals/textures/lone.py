@@ -6,7 +6,7 @@ from scipy.ndimage import binary_dilation, label, maximum_filter
 
 from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.kinds import to_lab
-from tilewright.signals.textures.sheet import blur
+from tilewright.signals.textures.sheet import blur, sum_channels
 
 SCALES = (1 / 64, 1 / 32, 1 / 16)
 """Sizes of things, in tiles: standard deviations of the inner of two Gaussians, the outer 4 times as wide."""
@@ -69,7 +69,7 @@ def stand_out(
     seen = [plane[usable].astype(np.float64) for plane in np.moveaxis(band, 2, 0)]
     covariance = [[(a * b).mean() for b in seen] for a in seen]
     _, axes = np.linalg.eigh(np.array(covariance))
-    offset = np.stack([(band * axis).sum(axis=2) for axis in axes.T.astype(np.float32)], axis=2)
+    offset = np.stack([sum_channels(band * axis) for axis in axes.T.astype(np.float32)], axis=2)
     # Step 2: what is usual along each of them.
     spread = 1.48 * np.median(np.abs(offset[usable]), axis=0) + floor
     offset /= spread * np.sqrt(np.float32(lab.shape[2]))
@@ -85,7 +85,7 @@ def _lone_of_a_size(
     Those are like it that go as far as it does in the direction in which it is off what is usual.
     """
     reach, half = max(1, round(tile_size / 10)), tile_size // 2
-    salience = np.sqrt((offset**2).sum(axis=2))
+    salience = np.sqrt(sum_channels(offset**2))
     peaks = np.argwhere((salience == maximum_filter(salience, 2 * reach + 1)) & (salience > 0))
     vectors = offset[tuple(peaks.T)]
     most = salience.size / tile_size**2

@@ -162,9 +162,8 @@ def join_edges(frame: Frame, edges: list[Patchwork]) -> Patchwork:
     """A tile's canvas: the triangle each of its edges N, E, S, W decides."""
     rows = np.empty((frame.size, frame.size), np.int32)
     columns = np.empty_like(rows)
-    for side, (triangle, edge) in enumerate(zip(frame.triangles, edges, strict=True)):
+    for side, ((y, x), edge) in enumerate(zip(frame.triangle_pixels, edges, strict=True)):
         dy, dx = frame.edge_offset(side)
-        y, x = triangle.nonzero()
         rows[y, x] = edge.rows[y + dy, x + dx]
         columns[y, x] = edge.columns[y + dy, x + dx]
     return Patchwork(rows, columns)

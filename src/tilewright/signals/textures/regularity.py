@@ -89,17 +89,18 @@ def autocorrelation(gray: NDArray[np.float32]) -> NDArray[np.float32]:
     """
     h, w = gray.shape
     size = (next_fast_len(2 * h, real=True), next_fast_len(2 * w, real=True))
-    one = np.ones_like(gray)
+    ones, grays, squares = (
+        rfft2(part.astype(float), size) for part in (np.ones_like(gray), gray, gray * gray)
+    )
 
-    def correlate(a: NDArray[np.float32], b: NDArray[np.float32]) -> NDArray[np.float64]:
-        return irfft2(np.conj(rfft2(a.astype(float), size)) * rfft2(b.astype(float), size), size)
+    def correlate(a: NDArray[np.complex128], b: NDArray[np.complex128]) -> NDArray[np.float64]:
+        return irfft2(np.conj(a) * b, size)
 
-    count = np.maximum(correlate(one, one), 1)
-    mean_a, mean_b = correlate(gray, one) / count, correlate(one, gray) / count
-    square = gray * gray
-    var_a = correlate(square, one) / count - mean_a**2
-    var_b = correlate(one, square) / count - mean_b**2
-    both = correlate(gray, gray) / count - mean_a * mean_b
+    count = np.maximum(correlate(ones, ones), 1)
+    mean_a, mean_b = correlate(grays, ones) / count, correlate(ones, grays) / count
+    var_a = correlate(squares, ones) / count - mean_a**2
+    var_b = correlate(ones, squares) / count - mean_b**2
+    both = correlate(grays, grays) / count - mean_a * mean_b
     lags = both / np.sqrt(np.maximum(var_a * var_b, 1e-12 * max(float(gray.var()), 1e-12) ** 2))
     lags[count < h * w / 8] = 0
     return np.clip(lags, -1, 1).astype(np.float32)

@@ -21,7 +21,7 @@ from tilewright.signals.textures.bars import FEWEST_OPEN, Bars
 from tilewright.signals.textures.manner import NESTED, Manner
 from tilewright.signals.textures.matching import Matcher, bar_places, best_places
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, thinned
-from tilewright.signals.textures.sheet import Sheet
+from tilewright.signals.textures.sheet import Sheet, sum_channels
 
 Place = tuple[int, int]
 
@@ -46,6 +46,8 @@ RECURRENCE_BAND = 0.15
 hurries to the border would show the tile's square."""
 BLAND = 0.5
 """What too little contrast counts when a place is judged for conspicuousness, beside too much."""
+MEANS = 4
+"""Means of conspicuousness that are kept: of corners, edges and centers, and one more."""
 USAGE = 0.5
 """How much a place is marked down for each time it was used."""
 CONTEXT, CONTEXT_SIGMA = 1.0, 1 / 24
@@ -182,6 +184,7 @@ class PatchSearch:
         self.rng = rng
         self.full = Scale(sheet, size, 1, manner.ease)
         self.matcher = Matcher(sheet, size, TONE_SIGMA * size)
+        self._means: dict[tuple[int, int], NDArray[np.float32]] = {}
         self.used = np.zeros(sheet.usable.shape, np.float32)
         self.bars = Bars(sheet, size, manner)
 
@@ -315,7 +318,7 @@ class PatchSearch:
         side = max(1, round(float(np.sqrt((state == FORCED_NEW).sum()))))
         score *= 1 + np.float32(USAGE) * self._around(self.used, side, block)
         if opening.plainness and self.period is None:
-            score *= 1 + np.float32(opening.plainness) * self._around(self.conspicuous, side, block)
+            score *= 1 + np.float32(opening.plainness) * self._conspicuous_around(side, block)
         score[~free] = np.inf
         return score
 
@@ -333,6 +336,14 @@ class PatchSearch:
         top, left, height, width = self.matcher.blocks[block]
         mean = uniform_filter(field[top : top + height, left : left + width], side, mode="nearest")
         return mean[half : height - self.size + half + 1, half : width - self.size + half + 1]
+
+    def _conspicuous_around(self, side: int, block: int) -> NDArray[np.float32]:
+        """`_around` of what stands out, kept: patches of a kind ask for boxes of one size."""
+        if (block, side) not in self._means:
+            if len(self._means) == MEANS:
+                self._means.clear()
+            self._means[block, side] = self._around(self.conspicuous, side, block)
+        return self._means[block, side]
 
     def conspicuous_at(
         self, rows: NDArray[np.int64], columns: NDArray[np.int64], side: int
@@ -359,12 +370,13 @@ def conspicuousness(sheet: Sheet, size: int) -> NDArray[np.float32]:
     """How much each place stands out: tone away from the mean, contrast away from the usual; mean 1."""
     mean = sheet.features[sheet.usable].mean(axis=0)
     low = sheet.low_pass(size / 8)
-    tone = ((low - mean) ** 2).sum(axis=2)
-    fine = ((sheet.low_pass(2.0) - low) ** 2).sum(axis=2)
+    tone = sum_channels((low - mean) ** 2)
+    fine = sum_channels((sheet.low_pass(2.0) - low) ** 2)
     contrast = gaussian_filter(fine, size / 16)
     contrast -= contrast[sheet.usable].mean()
     contrast = np.maximum(contrast, -np.float32(BLAND) * contrast)
-    return sum(
+    tone, contrast = (
         (0.5 * part / max(float(part[sheet.usable].mean()), 1e-9)).astype(np.float32)
         for part in (tone, contrast)
     )
+    return tone + contrast

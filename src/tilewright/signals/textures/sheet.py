@@ -47,11 +47,13 @@ class Sheet:
 
     def to_origins(self, rows: NDArray[np.int32], columns: NDArray[np.int32]) -> NDArray[np.uint16]:
         """(source, y, x) of sheet pixels, along a new last axis."""
-        source = np.searchsorted(np.array(self.tops), rows, side="right") - 1
+        tops = np.array(self.tops, np.int32)
         origins = np.empty((*rows.shape, 3), np.uint16)
-        origins[..., 0] = source
-        origins[..., 1] = rows - np.array(self.tops)[source]
-        origins[..., 2] = columns
+        for out, row, column in zip(origins, rows, columns, strict=True):  # a tile at a time, for memory
+            source = np.searchsorted(tops, row, side="right") - 1
+            out[..., 0] = source
+            out[..., 1] = row - tops[source]
+            out[..., 2] = column
         return origins
 
     def lay(self, pictures: Sequence[NDArray[np.bool_]]) -> NDArray[np.bool_]:
@@ -66,7 +68,7 @@ class Sheet:
         """Mean squared step from a pixel to its neighbors east and south: what a seam costs at the least."""
         total = 0.0
         for axis in (0, 1):
-            step = (np.diff(self.features, axis=axis) ** 2).sum(axis=2)
+            step = sum_channels(np.diff(self.features, axis=axis) ** 2)
             both = np.logical_and(*(np.delete(self.usable, end, axis=axis) for end in (0, -1)))
             total += float(step[both].mean(dtype=np.float64)) if both.any() else 0.0
         return total
@@ -74,7 +76,7 @@ class Sheet:
     @cached_property
     def outlines(self) -> NDArray[np.float32]:
         """How much more contrast there is around each pixel than is usual; 0 within things."""
-        contrast = np.sqrt(_variance(self.features, 3).sum(axis=2))
+        contrast = np.sqrt(sum_channels(_variance(self.features, 3)))
         usual = max(float(np.median(contrast[self.usable])), FLAT)
         return np.asarray(np.maximum(contrast / np.float32(usual) - 1, 0), np.float32)
 
@@ -100,8 +102,35 @@ class Sheet:
 def reduce_blocks(image: NDArray[np.float32], step: int) -> NDArray[np.float32]:
     """Mean over blocks of step x step pixels; what does not fill a block is left out."""
     rows, columns = image.shape[0] // step, image.shape[1] // step
+    if image.shape[2] > 1:
+        from tilewright.kernels.reduction import average_blocks
+
+        means = np.empty((rows, columns, image.shape[2]), np.float32)
+        average_blocks(rows, np.ascontiguousarray(image, np.float32), step, means)
+        return means
     blocks = image[: rows * step, : columns * step].reshape(rows, step, columns, step, -1)
     return blocks.mean(axis=(1, 3), dtype=np.float32)
+
+
+def sum_channels(image: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Sums over the few channels of an image, which numpy is slow to make."""
+    total = image[..., 0].copy()
+    for channel in range(1, image.shape[2]):
+        total += image[..., channel]
+    return total
+
+
+def sum_variances(values: NDArray[np.float32]) -> float:
+    """Variances of the columns of (n, channels), added up."""
+    if values.shape[1] == 1:
+        return float(values.var(dtype=np.float64))
+    from tilewright.kernels.reduction import add_squares, add_values
+
+    middle, squares = np.zeros(values.shape[1]), np.zeros(values.shape[1])
+    add_values(values, middle)
+    middle /= len(values)
+    add_squares(values, middle, squares)
+    return float((squares / len(values)).sum())
 
 
 def reduce_pixels(pixels: NDArray[Any], step: int) -> NDArray[Any]:
@@ -174,16 +203,21 @@ def make_sheet(exemplar: Exemplar, breadth: float = 0.0, size: int = 0) -> Sheet
     start = 0
     for name, count in zip(exemplar.sources[0], channels, strict=True):
         stop = start + count
-        spread = features[usable][:, start:stop].var(axis=0, dtype=np.float64).sum()
+        spread = sum_variances(_usable(features, usable)[:, start:stop])
         if spread > 0:
             features[..., start:stop] *= np.sqrt(exemplar.weights[name] / spread)
         start = stop
-    total = features[usable].var(axis=0, dtype=np.float64).sum()
+    total = sum_variances(_usable(features, usable))
     if total > 0:
         features /= np.float32(np.sqrt(total))
     if sum(channels) > MOST_FEATURES:
         features = _condense(features, usable)
     return Sheet(features, usable, tops, sizes)
+
+
+def _usable(features: NDArray[np.float32], usable: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """The features of usable pixels, shape (n, channels)."""
+    return features.reshape(usable.size, -1) if usable.all() else features[usable]
 
 
 def _perceived(pixels: NDArray[Any], kind: str, breadth: float, grain: float) -> NDArray[np.float32]:

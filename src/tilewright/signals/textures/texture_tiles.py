@@ -137,11 +137,11 @@ def copy_from_sources(
         The maps of the tiles.
     """
     maps = {}
-    s, y, x = origins[..., 0], origins[..., 1], origins[..., 2]
     for name, first in sources[0].items():
         pixels = np.empty(origins.shape[:3] + first.shape[2:], first.dtype)
-        for number, source in enumerate(sources):
-            here = s == number
-            pixels[here] = source[name][y[here], x[here]]
+        for tile, (s, y, x) in zip(pixels, np.moveaxis(origins, 3, 1), strict=True):
+            for number, source in enumerate(sources):
+                here = s == number if len(sources) > 1 else ...
+                tile[here] = source[name][y[here], x[here]]
         maps[name] = pixels
     return maps

@@ -30,6 +30,8 @@ elsewhere in the photograph than what stays, and of independent parts the powers
 a share g, so that 1 - 0.85 g stays, sqrt(1 - (1 - 0.85 g)^2) must be laid. A Gaussian of 0.6 of the width
 passes that to within 0.06; laid as wide as it is taken, a fifth of the contrast of things of half a tile was
 missing."""
+ROWS = 64
+"""Rows of a photograph that lose their tone at once, for memory."""
 SPREAD = 4
 """Grid points along the shorter side of a photograph: a patch is half as wide as that."""
 
@@ -88,11 +90,11 @@ def take_tone(exemplar: Exemplar, tile_size: int) -> tuple[Tone, Exemplar]:
     for name, pixels in source.items():
         rest[name] = pixels
         if exemplar.kinds[name] == "color":
+            total = _sum_blocks(encoded(pixels), usable, texel)
             taken, tones[name] = (
-                _find_tone(encoded(pixels), usable, texel, sigma * tile_size)
-                for sigma in (SIGMA, LAID * SIGMA)
+                _find_tone(total, texel, sigma * tile_size) for sigma in (SIGMA, LAID * SIGMA)
             )
-            rest[name] = _shifted(pixels, -np.float32(STRENGTH) * _enlarged(taken, texel, pixels.shape[:2]))
+            rest[name] = _without(taken, pixels, texel)
     side = min(usable.shape)
     span = max(1, round(side / SPREAD / tile_size))
     return Tone(tile_size, span, tones), Exemplar([rest], exemplar.masks, exemplar.weights, exemplar.kinds)
@@ -110,15 +112,18 @@ def take_more_tone(tone: Tone | None, exemplar: Exemplar) -> tuple[Tone | None, 
     return replace(tone, maps=kept | taken.maps), held
 
 
-def _find_tone(pixels: NDArray[Any], usable: NDArray[np.bool_], texel: int, sigma: float) -> Texels:
-    """Tone around 0, a texel for ``texel`` x ``texel`` pixels; alpha has none."""
+def _sum_blocks(pixels: NDArray[Any], usable: NDArray[np.bool_], texel: int) -> NDArray[np.float64]:
+    """Sums over the usable pixels of every block of ``texel`` x ``texel``, and their number."""
+    from tilewright.kernels.reduction import sum_usable_blocks
+
     rows, columns = (-(-n // texel) for n in pixels.shape[:2])
-    # Sums over the usable pixels of every block, and their number.
-    share = usable[..., np.newaxis].astype(np.float32)
-    sums = np.concatenate([pixels * share, share], axis=2)
-    full = np.zeros((rows * texel, columns * texel, sums.shape[2]), np.float32)
-    full[: sums.shape[0], : sums.shape[1]] = sums
-    total = full.reshape(rows, texel, columns, texel, -1).sum(axis=(1, 3), dtype=np.float64)
+    total = np.zeros((rows, columns, pixels.shape[2] + 1))
+    sum_usable_blocks(rows, pixels, usable, texel, total)
+    return total
+
+
+def _find_tone(total: NDArray[np.float64], texel: int, sigma: float) -> Texels:
+    """Tone around 0 of a map's `_sum_blocks`, a texel for each; alpha has none."""
     spread = gaussian_filter(total, (sigma / texel, sigma / texel, 0), mode="reflect")
     known = spread[..., -1] > 1e-6 * texel**2
     nearest = distance_transform_edt(~known, return_distances=False, return_indices=True)
@@ -126,21 +131,30 @@ def _find_tone(pixels: NDArray[Any], usable: NDArray[np.bool_], texel: int, sigm
     low = spread[..., :-1] / spread[..., -1:]
     mean = (low * total[..., -1:]).sum(axis=(0, 1)) / total[..., -1].sum()
     tone = low - mean
-    if has_alpha(pixels.shape[2]):
+    if has_alpha(total.shape[2] - 1):
         tone[..., -1] = 0
     return tone.astype(np.float32)
 
 
-def _enlarged(texels: Texels, texel: int, shape: tuple[int, ...]) -> NDArray[np.float32]:
-    """Pixels between the middles of texels, by bilinear interpolation."""
-    for axis in (0, 1):
-        at = (np.arange(shape[axis]) + 0.5) / texel - 0.5
-        first = np.floor(at).astype(int)
-        share = (at - first).astype(np.float32).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
-        last = texels.shape[axis] - 1
-        low, high = (np.take(texels, np.clip(n, 0, last), axis) for n in (first, first + 1))
-        texels = low + share * (high - low)
-    return texels
+def _without(texels: Texels, pixels: NDArray[Any], texel: int) -> NDArray[Any]:
+    """Pixels less their tone, a few rows at a time."""
+    rest = np.empty_like(pixels)
+    texels = _enlarged(texels, texel, pixels.shape[0], 0)
+    for top in range(0, len(rest), ROWS):
+        rows = slice(top, top + ROWS)
+        tone = _enlarged(texels[rows], texel, pixels.shape[1], 1)
+        rest[rows] = _shifted(pixels[rows], -np.float32(STRENGTH) * tone)
+    return rest
+
+
+def _enlarged(texels: Texels, texel: int, count: int, axis: int) -> NDArray[np.float32]:
+    """``count`` pixels along an axis, between the middles of texels, by linear interpolation."""
+    at = (np.arange(count) + 0.5) / texel - 0.5
+    first = np.floor(at).astype(int)
+    share = (at - first).astype(np.float32).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
+    last = texels.shape[axis] - 1
+    low, high = (np.take(texels, np.clip(n, 0, last), axis) for n in (first, first + 1))
+    return np.asarray(low + share * (high - low), np.float32)
 
 
 def encoded(pixels: NDArray[Any]) -> NDArray[Any]:
