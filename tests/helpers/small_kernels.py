@@ -74,8 +74,10 @@ def textures():
     """Cuts and copies of texture tiles."""
     rng = np.random.default_rng(5)
     photo = (rng.random((40, 40, 1)) * 255).astype(np.uint8)
-    material = tw.texture_tiles(photo, tw.corner_tiles(1), tile_size=16, seed=1)
+    stack = {"albedo": photo, "height": photo}
+    material = tw.texture_tiles(stack, tw.corner_tiles(1), tile_size=16, seed=1)
     yield "texture", material.origins
+    yield "heights", material.maps["height"]
     yield "field", tw.TextureField(material, tw.direct(material.tiles, 7)).render(-5, 3, 40, 20)
     toned = replace(material, tone=Tone(16, 1, {"albedo": rng.normal(0, 9, (5, 7, 1)).astype(np.float32)}))
     color = rng.random((33, 32, 3)).astype(np.float32)

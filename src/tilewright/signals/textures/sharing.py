@@ -78,6 +78,19 @@ class Shared:
         same = _is_same(level, settled)
         return (level if same else settled), same
 
+    def settle_border(self, level: Values) -> None:
+        """Let the outermost pixels of tiles depend on shared colors alone, in place."""
+        lines = {"N": level[:, 0], "S": level[:, -1], "W": level[:, :, 0], "E": level[:, :, -1]}
+        corners = {c: lines[c[0]][:, 0 if c[1] == "W" else -1].copy() for c in _CORNERS}
+        for near, far in (("W", "E"), ("N", "S")):
+            colors = 1 + int(max(self.edges[near].max(), self.edges[far].max()))
+            for side in (near, far):
+                lines[side][...] = _means(lines[side], self.edges[side], colors)[self.edges[side]]
+        for corner, own in corners.items():
+            color = self.corners.get(corner)
+            mean = own if color is None else _means(own, color, 1 + int(color.max()))[color]
+            lines[corner[0]][:, 0 if corner[1] == "W" else -1] = mean
+
     def _settle_edges(self, level: Values, rim: Rim, out: Values) -> None:
         last = rim.count - 1
         for near, far, axis in (("W", "E", 2), ("N", "S", 1)):
@@ -149,12 +162,12 @@ def with_gutters(tiles: NDArray[Any], gutter: int, shared: Shared) -> NDArray[An
     source = {-1: slice(n - gutter, n), 0: slice(0, n), 1: slice(0, gutter)}
     for dy in (-1, 0, 1):
         for dx in (-1, 0, 1):
-            neighbors = _neighbors(shared, dy, dx)
+            neighbors = neighbors_of(shared, dy, dx)
             out[:, bands[dy], bands[dx]] = tiles[neighbors][:, source[dy], source[dx]]
     return out
 
 
-def _neighbors(shared: Shared, dy: int, dx: int) -> Colors:
+def neighbors_of(shared: Shared, dy: int, dx: int) -> Colors:
     """For each tile, the first one that may lie dy rows and dx columns away; any over uncolored corners."""
     if not (dy or dx) or (dy and dx and not shared.corners):
         return np.arange(len(shared.edges["N"]))

@@ -200,6 +200,7 @@ def make_sheet(exemplar: Exemplar, breadth: float = 0.0, size: int = 0) -> Sheet
     for top, (h, w), maps, mask in zip(tops, sizes, seen, exemplar.masks, strict=True):
         features[top : top + h, :w] = np.concatenate(maps, axis=2)
         usable[top : top + h, :w] = mask
+        maps.clear()  # for memory
     start = 0
     for name, count in zip(exemplar.sources[0], channels, strict=True):
         stop = start + count
@@ -239,16 +240,19 @@ def _condense(features: NDArray[np.float32], usable: NDArray[np.bool_]) -> NDArr
 
     Sums are taken channel by channel, not by a matrix product, whose order depends on the number of threads.
     """
-    planes = np.ascontiguousarray(np.moveaxis(features, 2, 0))
-    count = len(planes)
-    centered = [plane[usable] - plane[usable].mean(dtype=np.float64) for plane in planes]
+    count = features.shape[2]
     covariance = np.zeros((count, count))
-    for a in range(count):
+    for a in range(count):  # two at a time, for memory
+        first = _centered(features[..., a][usable])
         for b in range(a + 1):
-            covariance[a, b] = covariance[b, a] = (centered[a] * centered[b]).sum()
+            covariance[a, b] = covariance[b, a] = (first * _centered(features[..., b][usable])).sum()
     _, axes = np.linalg.eigh(covariance)
     out = np.zeros((*features.shape[:2], MOST_FEATURES), np.float32)
     for component in range(MOST_FEATURES):
-        for plane, share in zip(planes, axes[:, -1 - component], strict=True):
-            out[..., component] += np.float32(share) * plane
+        for channel, share in enumerate(axes[:, -1 - component]):
+            out[..., component] += np.float32(share) * features[..., channel]
     return out
+
+
+def _centered(values: NDArray[np.float32]) -> NDArray[np.float64]:
+    return values - values.mean(dtype=np.float64)

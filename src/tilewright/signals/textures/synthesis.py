@@ -188,6 +188,7 @@ def synthesize(
         lone,
     )
     # Step 4: every map along the same cuts.
+    del canvas, search, sheet, seen  # for memory
     rows = Variants.uniform(tiles, variants)
     maps = copy_maps(held.sources, origins, exemplar.kinds, tiles, rows, progress)
     return TextureTiles(
