@@ -114,8 +114,10 @@ MEANING = {
         (0, 0.006), "variance from afar in spikes, less the photograph's own", "a lattice shows from afar"
     ),
 }
-STEPS = ("cut_line_ratio", "worst_tile_ratio")
-"""Figures without limits where cuts are led along outlines, as they should be: steps are large there."""
+_STEPS = ("cut_line_ratio", "worst_tile_ratio")
+WITHOUT_LIMIT = {"things": _STEPS, "courses": (*_STEPS, "lattice_spikes")}
+"""Figures without limits, by treatment. Where cuts follow outlines, as they should, steps are large; and
+courses are waves of their own, which are not those of a lattice of tiles."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,8 +164,8 @@ class Report:
         return said
 
     def _limits(self, name: str) -> tuple[float, float]:
-        outlined = self.sample.material.recipe.get("treatment") in ("courses", "things")
-        return ANY if outlined and name in STEPS else MEANING[name].limits
+        treatment = str(self.sample.material.recipe.get("treatment"))
+        return ANY if name in WITHOUT_LIMIT.get(treatment, ()) else MEANING[name].limits
 
     def sheet(self) -> "Figure":
         """Draw photograph, tiles, plane near and far, and cut lines beside the figures.
