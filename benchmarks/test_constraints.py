@@ -3,11 +3,11 @@
 import warnings
 from itertools import product
 
-import numba
 import numpy as np
 import pytest
 
 import tilewright as tw
+from tilewright.kernels.threads import at_most, count_threads
 from timing import best
 
 LIMITS = {"H0": 2, "V1": 2}
@@ -19,25 +19,21 @@ def start(side, seed=0):
 
 
 def on_threads(count, job):
-    before = numba.get_num_threads()
-    numba.set_num_threads(count)
-    try:
+    with at_most(count):
         return best(job)
-    finally:
-        numba.set_num_threads(before)
 
 
 def test_algorithm_1_on_one_thread_and_on_two(benchmark, record_ratio):
     tiling = start(4096)
     job = lambda: tw.rectify(tiling, LIMITS)  # noqa: E731
     job()
-    one, two = on_threads(1, job), on_threads(min(2, numba.config.NUMBA_NUM_THREADS), job)
+    one, two = on_threads(1, job), on_threads(2, job)
     benchmark.extra_info["seconds on one thread"] = one
     benchmark.extra_info["seconds on two threads"] = two
     record_ratio("rectify on two threads: times one", one, two)
     benchmark.pedantic(job, rounds=5)
     assert one <= 0.25
-    assert two < one or numba.config.NUMBA_NUM_THREADS == 1
+    assert two < one or count_threads() == 1
 
 
 @pytest.mark.parametrize(("side", "most"), [(32, 1), (128, 15)])

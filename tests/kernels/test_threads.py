@@ -1,13 +1,18 @@
 """Loops shared among threads: every number once, and what goes wrong in one thread comes out."""
 
 import os
+import subprocess
+import sys
 import threading
+import time
+from unittest import mock
 
 import numpy as np
 import pytest
 
 from cores import cores
-from tilewright.kernels.threads import ParallelKernel
+from tilewright.kernels import threads
+from tilewright.kernels.threads import ParallelKernel, at_most
 
 
 def count_up(first, last, out):
@@ -16,10 +21,10 @@ def count_up(first, last, out):
         out[i] += 1
 
 
-@pytest.mark.parametrize("threads", [1, 2, 7])
-def test_every_number_is_done_once(threads):
+@pytest.mark.parametrize("most", [1, 2, 7])
+def test_every_number_is_done_once(most):
     kernel = ParallelKernel(count_up)
-    with cores(threads):
+    with cores(most):
         for count in (0, 1, 2, 63, 64, 65, 1000):
             for _ in range(2):  # the second time it is known to be long
                 out = np.zeros(count, int)
@@ -30,8 +35,9 @@ def test_every_number_is_done_once(threads):
 def test_short_work_stays_in_one_thread():
     seen = set()
     kernel = ParallelKernel(lambda first, last: seen.add(threading.get_ident()))
-    for _ in range(5):
-        kernel(1000)
+    with mock.patch.object(threads, "_WORTH", 1.0):
+        for _ in range(5):
+            kernel(1000)
     assert seen == {threading.get_ident()}
 
 
@@ -84,3 +90,54 @@ def test_a_forked_child_has_its_own_threads():
             kernel(100, out)
             os._exit(0 if (out == 1).all() else 1)
         assert os.waitpid(child, 0)[1] == 0
+
+
+def test_no_thread_writes_on_when_an_error_is_out():
+    done = []
+
+    def fail_late(first, last):
+        if first > 500:
+            raise ValueError(first)
+        time.sleep(0.01)
+        done.append(first)
+
+    with cores(3):
+        kernel = ParallelKernel(fail_late)
+        with pytest.raises(ValueError, match=r"\d+"):
+            kernel(1000)
+        there = len(done)
+        time.sleep(0.1)
+        assert len(done) == there
+
+
+def test_kernels_work_where_no_thread_can_be_started():
+    out = np.zeros(1000, int)
+    with cores(3), mock.patch.object(threads, "_open_pool", side_effect=RuntimeError):
+        ParallelKernel(count_up)(1000, out)
+    assert (out == 1).all()
+
+
+def test_a_thread_that_outlives_the_main_one_still_renders():
+    code = (
+        "import threading, time, numpy as np\n"
+        "from tilewright.kernels import threads\n"
+        "threads._WORTH = 1e-12\n"
+        "def fill(first, last, out): out[first:last] = 1\n"
+        "def late():\n"
+        "    time.sleep(0.3)\n"
+        "    out = np.zeros(1000); threads.ParallelKernel(fill)(1000, out); print(out.sum())\n"
+        "threading.Thread(target=late).start()\n"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ran.stdout.strip() == "1000.0", ran.stderr
+
+
+def test_a_limit_holds_for_the_thread_that_set_it():
+    seen = set()
+    kernel = ParallelKernel(lambda first, last: seen.add(threading.get_ident()))
+    with cores(3), at_most(1):
+        assert threads.count_threads() == 1
+        kernel(1000)
+    assert seen == {threading.get_ident()}
+    with cores(3):
+        assert threads.count_threads() == 3

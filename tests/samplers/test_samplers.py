@@ -5,7 +5,6 @@ import subprocess
 import sys
 from itertools import pairwise
 
-import numba
 import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
@@ -25,6 +24,7 @@ from boxes import (
     widest_gap,
     works_in,
 )
+from cores import cores
 from tilewright import samplers
 from tilewright.errors import Cancelled, TilewrightError, TilewrightTypeError, TilewrightValueError
 from tilewright.samplers import (
@@ -140,14 +140,10 @@ def test_distances_are_distributed_alike():
 
 
 def test_thread_counts_change_nothing():
-    threads = numba.get_num_threads()
-    try:
-        made = []
-        for count in (1, threads):
-            numba.set_num_threads(count)
+    made = []
+    for count in (1, 3):
+        with cores(count):
             made.append(sample_points("lloyd", 2000, iterations=3).points.tobytes())
-    finally:
-        numba.set_num_threads(threads)
     assert made[0] == made[1]
 
 

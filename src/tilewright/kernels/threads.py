@@ -5,8 +5,10 @@ thread pools ends the process when two threads call it at once.
 """
 
 import os
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from contextvars import ContextVar
 from itertools import pairwise
 from time import perf_counter
 from typing import Any
@@ -24,11 +26,23 @@ _FIRST = 64
 """One part in so many is done at first where the work seems short, to see how long the rest will take."""
 
 _pool: ThreadPoolExecutor | None = None
+_limit: ContextVar[int | None] = ContextVar("limit", default=None)
 
 
 def count_threads() -> int:
-    """How many threads kernels use: the cores open to the process, or NUMBA_NUM_THREADS."""
-    return int(numba.config.NUMBA_NUM_THREADS)
+    """How many threads kernels use: the cores open to the process, or NUMBA_NUM_THREADS, or `at_most`."""
+    most = int(numba.config.NUMBA_NUM_THREADS)
+    return min(most, _limit.get() or most)
+
+
+@contextmanager
+def at_most(count: int) -> Iterator[None]:
+    """Let kernels that this thread calls use no more threads."""
+    before = _limit.set(count)
+    try:
+        yield
+    finally:
+        _limit.reset(before)
 
 
 class ParallelKernel:
@@ -71,14 +85,20 @@ class ParallelKernel:
                     return
                 self._pace = self._do(first, last, arguments) / (last - first)
 
-        helpers = [_open_pool().submit(work) for _ in range(min(threads, len(parts)) - 1)]
+        helpers: list[Future[None]] = []
+        try:
+            for _ in range(min(threads, len(parts)) - 1):
+                helpers.append(_open_pool().submit(work))
+        except RuntimeError:
+            pass  # no thread can be started when Python ends, or beyond the system's limit
         try:
             work()
         finally:
             parts.clear()
-            for helper in helpers:
-                if not helper.cancel():
-                    helper.result()
+            helpers = [helper for helper in helpers if not helper.cancel()]
+            wait(helpers)  # they write into the caller's arrays
+        for helper in helpers:
+            helper.result()
 
 
 def _open_pool() -> ThreadPoolExecutor:

@@ -24,7 +24,7 @@ def choose_rows(first, last, x_low, runs, x_high, y, z, stream, seed, starts, th
                 if even > 0:
                     rows[i, j] = tile * even + (number * even >> 24)
                     continue
-                row, last = starts[tile], starts[tile + 1] - 1
-                while row < last and number >= thresholds[row + 1]:
+                row, end = starts[tile], starts[tile + 1] - 1
+                while row < end and number >= thresholds[row + 1]:
                     row += 1
                 rows[i, j] = row

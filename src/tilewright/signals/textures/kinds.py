@@ -35,12 +35,13 @@ def is_normal(kind: str) -> bool:
     return kind.startswith("normal")
 
 
-def to_values(pixels: NDArray[Any], kind: str) -> Values:
+def to_values(pixels: NDArray[Any], kind: str, signed: bool | None = None) -> Values:
     """Numbers whose mean is what a pixel seen from afar shows, shape as given.
 
     Color becomes linear light multiplied by its alpha (the last of 2 or 4 channels), normals become vectors
     of length 1, roughness r becomes r^4, the square of the width of GGX and Beckmann lobes, which adds up
-    like a variance; other numbers stay, integers as a share of their largest.
+    like a variance; other numbers stay, integers as a share of their largest. ``signed`` is `is_signed` of
+    the whole map, where pixels are only part of it.
     """
     scaled = _scaled(pixels)
     if kind == "color":
@@ -50,13 +51,13 @@ def to_values(pixels: NDArray[Any], kind: str) -> Values:
         rough[...] = np.maximum(rough, 0) ** 4
         return scaled
     if is_normal(kind):
-        if not is_signed(pixels):
+        if not (is_signed(pixels) if signed is None else signed):
             scaled[..., :3] = 2 * scaled[..., :3] - 1
         scaled[..., :3] = unit(scaled[..., :3])
     return scaled
 
 
-def from_values(values: Values, kind: str, like: NDArray[Any]) -> NDArray[Any]:
+def from_values(values: Values, kind: str, like: NDArray[Any], signed: bool | None = None) -> NDArray[Any]:
     """Pixels that show the values, in the encoding of the map ``like``; normals get length 1."""
     if kind == "color":
         values = _divided(values)
@@ -70,7 +71,7 @@ def from_values(values: Values, kind: str, like: NDArray[Any]) -> NDArray[Any]:
     elif is_normal(kind):
         shown = values.copy()
         shown[..., :3] = unit(values[..., :3])
-        if not is_signed(like):
+        if not (is_signed(like) if signed is None else signed):
             shown[..., :3] = 0.5 * shown[..., :3] + 0.5
     else:
         shown = values

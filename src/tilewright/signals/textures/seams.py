@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import Progress
-from tilewright.signals.textures.kinds import Values, from_values, is_normal, to_values
+from tilewright.signals.textures.kinds import Values, from_values, is_normal, is_signed, to_values
 from tilewright.signals.textures.sharing import Shared, neighbors_of, with_gutters
 from tilewright.tiles import TileSet
 from tilewright.tiles.variants import Variants
@@ -117,6 +117,7 @@ def _back(origins: NDArray[np.int32], step: tuple[int, int]) -> NDArray[np.int32
 
 def _blend_normals(pixels: NDArray[Any], cuts: Cuts, name: str, kind: str) -> NDArray[Any]:
     """Beside a cut, the sum of the patch's own vector and half of what the other patch has there."""
+    signed = is_signed(pixels)
     sources = [to_values(s[name], kind) for s in cuts.sources]
     count = np.ones(pixels.shape[:3], np.float32)
     for crossed in cuts.crossed.values():
@@ -127,7 +128,7 @@ def _blend_normals(pixels: NDArray[Any], cuts: Cuts, name: str, kind: str) -> ND
     for side in sides:
         asked[side] = True
     vectors = np.zeros((*pixels.shape[:3], sources[0].shape[2]), np.float32)
-    vectors[asked] = to_values(pixels[asked][:, np.newaxis], kind)[:, 0]
+    vectors[asked] = to_values(pixels[asked][:, np.newaxis], kind, signed)[:, 0]
     for step, crossed in cuts.crossed.items():
         _, there = cuts.pairs(step)
         vectors[crossed] += np.float32(0.5) * cuts.read(sources, _back(there, step))
@@ -136,14 +137,16 @@ def _blend_normals(pixels: NDArray[Any], cuts: Cuts, name: str, kind: str) -> ND
     cuts.shared.settle_border(vectors)
     for side, before in zip(sides, own, strict=True):
         touched[side] |= (vectors[side] != before).any(axis=2)
-    return _written(pixels, vectors, touched, kind)
+    return _written(pixels, vectors, touched, kind, signed)
 
 
-def _written(pixels: NDArray[Any], values: Values, where: NDArray[np.bool_], kind: str) -> NDArray[Any]:
+def _written(
+    pixels: NDArray[Any], values: Values, where: NDArray[np.bool_], kind: str, signed: bool | None = None
+) -> NDArray[Any]:
     """Pixels with values written over some of them."""
     out = pixels.copy()
     for tile, own, new, here in zip(out, pixels, values, where, strict=True):
-        tile[here] = from_values(new[here][:, np.newaxis], kind, own[here][:, np.newaxis])[:, 0]
+        tile[here] = from_values(new[here][:, np.newaxis], kind, own, signed)[:, 0]
     return out
 
 
@@ -189,8 +192,9 @@ def _relaxed(
     for done in range(rounds):
         tell(done, rounds)
         push = 1 / (1 - slowest**2 / 2) if done == 1 else 1 / (1 - slowest**2 * push / 4) if done else 1.0
-        given = (correction[..., 0], wanted[..., 0], band[..., 0], beside)
-        relax_tiles(len(wanted), *given, np.float32(push), before[..., 0])
+        for c in range(wanted.shape[3]):
+            given = (correction[..., c], wanted[..., c], band[..., 0], beside)
+            relax_tiles(len(wanted), *given, np.float32(push), before[..., c])
         shared.settle_border(before)
         correction, before = before, correction
     return correction

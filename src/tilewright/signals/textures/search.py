@@ -50,7 +50,7 @@ hurries to the border would show the tile's square."""
 BLAND = 0.5
 """What too little contrast counts when a place is judged for conspicuousness, beside too much."""
 MEANS = 4
-"""Means of conspicuousness that are kept: of corners, edges and centers, and one more."""
+"""Means of conspicuousness that are kept: enough for corners, edges and centers of a sheet of one block."""
 USAGE = 0.5
 """How much a place is marked down for each time it was used."""
 CONTEXT, CONTEXT_SIGMA = 1.0, 1 / 24

@@ -128,72 +128,83 @@ def synthesize(
     size = check_size(tile_size)
     if not (tone is None or isinstance(tone, bool)):
         raise type_error("tone", tone, "True, False or None")
-    # Step 1: what the photograph asks for, where nobody asks otherwise.
-    regularity = find_regularity(next(iter(exemplar.sources[0].values())))
-    if tiles is None or method == "faithful":
-        # Seen at its usual size, so that a set made again is treated as it was.
-        character = find_character(exemplar, regularity, usual_size(exemplar))
-        treatment = find_treatment(exemplar, character, tiles, size, tone)
-    else:
-        treatment = plain_treatment(
-            tiles, suited_tile_size(regularity) if tile_size == "auto" else size, tone
+    from tilewright.kernels.threads import at_most
+
+    with at_most(workers):
+        # Step 1: what the photograph asks for, where nobody asks otherwise.
+        regularity = find_regularity(next(iter(exemplar.sources[0].values())))
+        if tiles is None or method == "faithful":
+            # Seen at its usual size, so that a set made again is treated as it was.
+            character = find_character(exemplar, regularity, usual_size(exemplar))
+            treatment = find_treatment(exemplar, character, tiles, size, tone)
+        else:
+            treatment = plain_treatment(
+                tiles, suited_tile_size(regularity) if tile_size == "auto" else size, tone
+            )
+            warn_of_misfit(regularity, treatment.tile_size)
+        tiles, size = treatment.tiles, treatment.tile_size
+        warn_of_clone(regularity)
+        check_cost(len(tiles) * variants, size, treatment.manner.jointly)
+        # Step 2: tone apart from what the tiles hold.
+        toned, held = take_tone(exemplar, size) if treatment.tone else (None, exemplar)
+        # Step 3: patches.
+        sheet = make_sheet(held, treatment.manner.breadth, size)
+        # Places of large tiles are found where several pixels are seen as one.
+        manner, step = treatment.manner, draft_step(held, size) if treatment.manner.jointly else 1
+        seen = sheet if step == 1 else sheet.reduced(step)
+        lone: list[Spot] = []
+        if treatment.bars_lone_things:
+            things, spots = lone_things_of(reduce_main(held, step), size // step)
+            # As many tiles may show a thing as it takes for it to be as frequent as in the photograph.
+            shows = max(1, round(len(tiles) * size**2 / sheet.usable.sum()))
+            manner = replace(manner, lone=seen.lay(things), shows=shows)
+            lone = [(source, y * step, x * step) for source, y, x in spots]
+        ledger = Ledger(
+            {name: to_sheet(sheet, name, spot) for name, spot in pick.items()},
+            {name: [to_sheet(sheet, name, s) for s in spots] for name, spots in reject.items()},
         )
-        warn_of_misfit(regularity, treatment.tile_size)
-    tiles, size = treatment.tiles, treatment.tile_size
-    warn_of_clone(regularity)
-    check_cost(len(tiles) * variants, size, treatment.manner.jointly)
-    # Step 2: tone apart from what the tiles hold.
-    toned, held = take_tone(exemplar, size) if treatment.tone else (None, exemplar)
-    # Step 3: patches.
-    sheet = make_sheet(held, treatment.manner.breadth, size)
-    # Places of large tiles are found where several pixels are seen as one.
-    manner, step = treatment.manner, draft_step(held, size) if treatment.manner.jointly else 1
-    seen = sheet if step == 1 else sheet.reduced(step)
-    lone: list[Spot] = []
-    if treatment.bars_lone_things:
-        things, spots = lone_things_of(reduce_main(held, step), size // step)
-        # As many tiles may show a thing as it takes for it to be as frequent as in the photograph.
-        shows = max(1, round(len(tiles) * size**2 / sheet.usable.sum()))
-        manner = replace(manner, lone=seen.lay(things), shows=shows)
-        lone = [(source, y * step, x * step) for source, y, x in spots]
-    ledger = Ledger(
-        {name: to_sheet(sheet, name, spot) for name, spot in pick.items()},
-        {name: [to_sheet(sheet, name, s) for s in spots] for name, spots in reject.items()},
-    )
-    picked, period, rng = dict(ledger.picked), treatment.period(regularity), np.random.default_rng(seed)
-    with ThreadPoolExecutor(workers) as pool:
-        lay, total = find_method(method, tiles, len(exemplar.sources), variants, manner)
-        own = manner if step == 1 else treatment.manner
-        search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, own)
-        if step > 1:
-            know_places(search, manner, seen, step, lay)
-        canvas = lay(search, rng)
-    unknown = (set(ledger.picked) | set(ledger.rejected)) - set(ledger.laid)
-    if unknown:
-        raise TilewrightValueError(
-            f"no patch is called {min(unknown)!r}; this set has {', '.join(sorted(ledger.laid)[:6])}, ..."
+        picked, period, rng = dict(ledger.picked), treatment.period(regularity), np.random.default_rng(seed)
+        with ThreadPoolExecutor(workers) as pool:
+            lay, total = find_method(method, tiles, len(exemplar.sources), variants, manner)
+            own = manner if step == 1 else treatment.manner
+            search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, own)
+            if step > 1:
+                know_places(search, manner, seen, step, lay)
+            canvas = lay(search, rng)
+        unknown = (set(ledger.picked) | set(ledger.rejected)) - set(ledger.laid)
+        if unknown:
+            raise TilewrightValueError(
+                f"no patch is called {min(unknown)!r}; this set has {', '.join(sorted(ledger.laid)[:6])}, ..."
+            )
+        origins = sheet.to_origins(canvas.rows, canvas.columns)
+        recipe = Recipe(
+            method,
+            seed,
+            size,
+            exemplar.weights,
+            {name: to_source(sheet, place) for name, place in ledger.laid.items()},
+            {name: to_source(sheet, place) for name, place in picked.items()},
+            {n: [to_source(sheet, p) for p in ps] for n, ps in ledger.rejected.items()},
+            variants,
+            treatment.tone,
+            treatment.name,
+            lone,
         )
-    origins = sheet.to_origins(canvas.rows, canvas.columns)
-    recipe = Recipe(
-        method,
-        seed,
-        size,
-        exemplar.weights,
-        {name: to_source(sheet, place) for name, place in ledger.laid.items()},
-        {name: to_source(sheet, place) for name, place in picked.items()},
-        {n: [to_source(sheet, p) for p in ps] for n, ps in ledger.rejected.items()},
-        variants,
-        treatment.tone,
-        treatment.name,
-        lone,
-    )
-    # Step 4: every map along the same cuts.
-    del canvas, search, sheet, seen  # for memory
-    rows = Variants.uniform(tiles, variants)
-    maps = copy_maps(held.sources, origins, exemplar.kinds, tiles, rows, progress)
-    return TextureTiles(
-        tiles, maps, exemplar.sources, origins, recipe.to_dict(), exemplar.masks, exemplar.kinds, rows, toned
-    )
+        # Step 4: every map along the same cuts.
+        del canvas, search, sheet, seen  # for memory
+        rows = Variants.uniform(tiles, variants)
+        maps = copy_maps(held.sources, origins, exemplar.kinds, tiles, rows, progress)
+        return TextureTiles(
+            tiles,
+            maps,
+            exemplar.sources,
+            origins,
+            recipe.to_dict(),
+            exemplar.masks,
+            exemplar.kinds,
+            rows,
+            toned,
+        )
 
 
 def resynthesize(
