@@ -80,16 +80,12 @@ class Shared:
 
     def settle_border(self, level: Values) -> None:
         """Let the outermost pixels of tiles depend on shared colors alone, in place."""
-        lines = {"N": level[:, 0], "S": level[:, -1], "W": level[:, :, 0], "E": level[:, :, -1]}
-        corners = {c: lines[c[0]][:, 0 if c[1] == "W" else -1].copy() for c in _CORNERS}
-        for near, far in (("W", "E"), ("N", "S")):
-            colors = 1 + int(max(self.edges[near].max(), self.edges[far].max()))
-            for side in (near, far):
-                lines[side][...] = _means(lines[side], self.edges[side], colors)[self.edges[side]]
-        for corner, own in corners.items():
-            color = self.corners.get(corner)
-            mean = own if color is None else _means(own, color, 1 + int(color.max()))[color]
-            lines[corner[0]][:, 0 if corner[1] == "W" else -1] = mean
+        n = level.shape[1]
+        corners = level[:, :: n - 1, :: n - 1].copy()
+        settled = corners.copy()
+        self._settle_corners(corners, Rim(2, 0, None), settled)
+        self._settle_edges(level, Rim(n, 0, None), level)
+        level[:, :: n - 1, :: n - 1] = settled
 
     def _settle_edges(self, level: Values, rim: Rim, out: Values) -> None:
         last = rim.count - 1

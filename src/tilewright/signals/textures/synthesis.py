@@ -130,7 +130,7 @@ def synthesize(
         raise type_error("tone", tone, "True, False or None")
     from tilewright.kernels.threads import at_most
 
-    with at_most(workers):
+    with at_most(workers), ThreadPoolExecutor(workers) as pool:
         # Step 1: what the photograph asks for, where nobody asks otherwise.
         regularity = find_regularity(next(iter(exemplar.sources[0].values())))
         if tiles is None or method == "faithful":
@@ -164,13 +164,12 @@ def synthesize(
             {name: [to_sheet(sheet, name, s) for s in spots] for name, spots in reject.items()},
         )
         picked, period, rng = dict(ledger.picked), treatment.period(regularity), np.random.default_rng(seed)
-        with ThreadPoolExecutor(workers) as pool:
-            lay, total = find_method(method, tiles, len(exemplar.sources), variants, manner)
-            own = manner if step == 1 else treatment.manner
-            search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, own)
-            if step > 1:
-                know_places(search, manner, seen, step, lay)
-            canvas = lay(search, rng)
+        lay, total = find_method(method, tiles, len(exemplar.sources), variants, manner)
+        own = manner if step == 1 else treatment.manner
+        search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, own)
+        if step > 1:
+            know_places(search, manner, seen, step, lay)
+        canvas = lay(search, rng)
         unknown = (set(ledger.picked) | set(ledger.rejected)) - set(ledger.laid)
         if unknown:
             raise TilewrightValueError(
