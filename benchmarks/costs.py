@@ -19,11 +19,11 @@ from tilewright.shaders.assembly import assemble
 from tilewright.shaders.hashing import shader_hash
 from tilewright.shaders.layouts import WEI_PARTS, array_defines, atlas_parts, corner_defines, wang_defines
 from tilewright.shaders.mipmaps import layer_gutter
-from tilewright.tiles import corner_tiles, wang_tiles
+from tilewright.tiles import TileSet, classed_corner_tiles, corner_tiles, wang_tiles
 from tilewright.tilings import MixerHash, PermutationHash
 
 _MAIN = Path(__file__).with_name("cost.frag")
-METHODS = ("plain", "array", "atlas", "wei")
+METHODS = ("plain", "array", "atlas", "wei", "classed", "tone")
 _TOOLS = ("glslangValidator", "spirv-opt", "spirv-dis")
 # What names a place or a value and is nothing that runs.
 _SILENT = ("Label", "SelectionMerge", "Phi", "Branch", "Return", "Variable", "FunctionEnd")
@@ -50,7 +50,8 @@ class Cost:
     Attributes
     ----------
     method : str
-        ``"plain"`` (a repeated picture), ``"array"`` or ``"atlas"`` (corner tiles), ``"wei"`` (Wang tiles).
+        ``"plain"`` (a repeated picture), ``"array"`` or ``"atlas"`` (corner tiles), ``"wei"`` (Wang tiles),
+        ``"classed"`` (an array of corner tiles in five classes), ``"tone"`` (the same under tone).
     hash : str
         ``"mixer"`` or ``"permutation"``; empty for a plain texture.
     texels : int
@@ -85,9 +86,9 @@ def count_cost(method: str, *, hash: str = "mixer", colors: int = 2, tile_size: 
 
     Parameters
     ----------
-    method : {"plain", "array", "atlas", "wei"}
+    method : {"plain", "array", "atlas", "wei", "classed", "tone"}
     hash : {"mixer", "permutation"}
-        The table has 256 entries, or fewer where that is no multiple of the colors.
+        The table has 256 entries, or fewer where that is no multiple of the colors. Tone needs the mixer.
     colors : int
         1 to 8.
     tile_size : int
@@ -129,7 +130,8 @@ def count_cost(method: str, *, hash: str = "mixer", colors: int = 2, tile_size: 
 
 def cost_table(tile_size: int = 128, colors: int = 2) -> list[Cost]:
     """Costs of all methods, with both hashes; see `count_cost`."""
-    hashed = [(method, hash) for hash in ("mixer", "permutation") for method in METHODS[1:]]
+    hashed = [(method, "mixer") for method in METHODS[1:]]
+    hashed += [(method, "permutation") for method in METHODS[1:4]]
     return [
         count_cost(method, hash=hash, colors=colors, tile_size=tile_size)
         for method, hash in [("plain", "mixer"), *hashed]
@@ -142,22 +144,33 @@ def missing_tools() -> list[str]:
 
 
 def _source(method: str, hash: str, colors: int, tile_size: int) -> str:
-    tiles = wang_tiles(colors) if method == "wei" else corner_tiles(colors)
+    tiles = _tiles(method, colors)
     given = MixerHash() if hash == "mixer" else PermutationHash(size=256 // colors * colors)
-    lookup = shader_hash(given, tiles.colors)
-    parts = {"plain": ("plain.glsl",), "array": ("array.glsl",), "wei": WEI_PARTS}
+    counts = (colors,) if tiles.family == "classed" else tiles.colors
+    lookup = shader_hash(given, counts, tone=method == "tone")
+    parts = {"plain": ("plain.glsl",), "wei": WEI_PARTS, "tone": ("array.glsl", "tone.glsl")}
+    parts |= dict.fromkeys(("array", "classed"), ("array.glsl",))
     defines = {"SIDES": f"vec2({colors**2}.0)"} | array_defines(tile_size, layer_gutter(tile_size))
     defines |= wang_defines(tiles, tile_size) if method == "wei" else corner_defines(tiles)
+    if method == "tone":
+        defines |= {"SPAN": "1.0", "TONE_TEXELS": "16.0", "TONE_OF_COLOR": "1", "TONE_MEAN": "vec3(0.5)"}
     hash_or_none = None if method == "plain" else lookup
     return assemble(
         hash_or_none, parts.get(method) or atlas_parts(tiles), _MAIN.read_text(encoding="utf-8"), defines
     )
 
 
+def _tiles(method: str, colors: int) -> TileSet:
+    if method == "wei":
+        return wang_tiles(colors)
+    return classed_corner_tiles(colors, 5) if method in ("classed", "tone") else corner_tiles(colors)
+
+
 def _texels(method: str, colors: int, tile_size: int) -> int:
-    """Texels of level 0; the plain picture is as large as an atlas."""
-    side = tile_size + 2 * layer_gutter(tile_size) if method == "array" else tile_size
-    return colors**4 * side**2 * (2 if method == "wei" else 1)
+    """Texels of level 0; the plain picture is as large as an atlas, and tone 64 texels wide."""
+    layered = method in ("array", "classed", "tone")
+    side = tile_size + 2 * layer_gutter(tile_size) if layered else tile_size
+    return len(_tiles(method, colors)) * side**2 * (2 if method == "wei" else 1) + 64**2 * (method == "tone")
 
 
 @cache

@@ -8,6 +8,7 @@ import numpy as np
 import tilewright as tw
 
 SIDE = 96
+WINDOWS = {"near": (-40, -30, 100, 70), "far": (2**45 + 5, -(2**45), 50, 40)}
 KINDS = {"uint8": np.uint8, "uint16": np.uint16, "float32": np.float32}
 
 
@@ -108,6 +109,23 @@ def texture_methods():
             yield f"{name} {method} recipe", made.recipe
 
 
+def texture_default():
+    """What a newcomer gets: tone outside the tiles, and courses."""
+    toned = make(stack(), None, normal="gl", tone=True, tile_size=16)
+    yield from parts_of("tone", toned)
+    for map, texels in toned.tone.maps.items():
+        yield f"tone of {map}", texels
+    yield "means", toned.tone.mean("albedo")
+    light = make(photo(kind="float32"), None, tone=True, tile_size=16)
+    for window, where in WINDOWS.items():
+        for map in toned.maps:
+            laid = tw.TextureField(toned, tw.direct(toned.tiles, 7))
+            yield f"laid {map} {window}", laid.render(*where, map=map)
+        yield f"laid light {window}", tw.TextureField(light, tw.direct(light.tiles, 7)).render(*where)
+    wall = tw.BrickField(tw.BondBricks("running-bond", (16, 8))).render(width=128, height=128)
+    yield from parts_of("courses", make(wall, None, tile_size=None))
+
+
 def texture_changes():
     base = material()
     name, other = list(base.recipe["patches"])[:2]
@@ -124,11 +142,10 @@ def texture_changes():
 
 
 def texture_fields():
-    windows = {"near": (-40, -30, 100, 70), "far": (2**45 + 5, -(2**45), 50, 40)}
     for kind in KINDS:
         made = material(kind)
         field = tw.TextureField(made, tw.direct(made.tiles, 7))
-        for window, where in windows.items():
+        for window, where in WINDOWS.items():
             yield f"{kind} {window}", field.render(*where)
     field = tw.TextureField(surface(), tw.direct(surface().tiles, 7))
     for map in surface().maps:
@@ -137,7 +154,7 @@ def texture_fields():
         seeds = ({},) if name == "repeat" else ({"seed": 0}, {"seed": 7})
         for seed in seeds:
             for kind in KINDS:
-                for window, where in windows.items():
+                for window, where in WINDOWS.items():
                     made = plane(photo(kind=kind), **seed)
                     yield f"{name} {kind} {seed} {window}", made.render(*where)
     beside = tw.side_by_side(material(), seed=3)
@@ -207,6 +224,7 @@ def flows():
 GROUPS = {
     "texture tiles": texture_tiles,
     "texture methods": texture_methods,
+    "texture default": texture_default,
     "texture changes": texture_changes,
     "texture fields": texture_fields,
     "texture analysis": texture_analysis,

@@ -144,7 +144,7 @@ def _window(domain: Domain, width: int, height: int) -> tuple[int, int, int, int
 
 
 def _as_color(pixels: NDArray[Any], kind: str) -> Picture:
-    shown, _ = screen_bytes(pixels, kind == "color")
+    shown = screen_bytes(pixels, kind == "color").pixels
     return as_rgba(shown)
 
 

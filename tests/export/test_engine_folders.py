@@ -16,7 +16,7 @@ import pytest
 
 import dialects
 import tilewright as tw
-from handmade import handmade, handmade_surface, under_clouds
+from handmade import handmade, handmade_surface, surface_under_clouds, under_clouds
 from tilewright.errors import TilewrightError
 from tilewright.export.engines import TARGETS, save_for_engine
 from tilewright.export.engines.kit import prepare
@@ -285,14 +285,16 @@ def test_the_surface_shader_of_unity_compiles(colors, tmp_path):
     assert body.count("SAMPLE_TEXTURE2D") == 6
 
 
-def test_the_surface_shader_of_unity_lays_the_tone(clouded, tmp_path):
-    save_for_engine(clouded, tmp_path / "unity", "unity")
+def test_the_surface_shader_of_unity_lays_the_tone(tmp_path):
+    save_for_engine(surface_under_clouds(), tmp_path / "unity", "unity")
     include = (tmp_path / "unity" / "Tilewright.hlsl").read_text()
     shader = (tmp_path / "unity" / "Tilewright.shader").read_text()
     body = re.search(r"HLSLPROGRAM(.*?)ENDHLSL", shader, re.DOTALL)[1]
     body = re.sub(r"#(include|pragma).*", "", body)
     dialects.compile_spirv(_URP + include + body, ".hlsl", tmp_path, "frag", "Fragment")
     assert "TwLay(surface.albedo, TwToneUp(_ColorTone" in body
+    assert "TwLay(surface.emission, TwToneUp(_EmissionTone" in body
+    assert "saturate(surface.smoothness - TwToneUp(_RoughnessTone" in body
 
 
 def run_in_unreal(folder, monkeypatch):
@@ -340,8 +342,19 @@ def test_the_script_for_unreal_lays_the_tone(clouded, tmp_path, monkeypatch):
     assert code_of(tone) == (tmp_path / "unreal" / "custom_tone.hlsl").read_text()
     assert ends["MP_BASE_COLOR"] == (tone, "")
     into = {pin: source for source, _, node, pin in wires if node is tone}
-    assert into.keys() == {"Position", "Origin", "Color", "Tone"}
+    assert into.keys() == {"Position", "Origin", "Color", "Mean", "Tone"}
     assert into["Position"] is next(s for s, _, node, pin in wires if node is place and pin == "Position")
+
+
+def test_the_script_for_unreal_lays_the_tone_of_every_map(tmp_path, monkeypatch):
+    save_for_engine(surface_under_clouds(), tmp_path / "unreal", "unreal", seed=7)
+    nodes, _, ends = run_in_unreal(tmp_path / "unreal", monkeypatch)
+    laid = [ends[end] for end in ("MP_BASE_COLOR", "MP_ROUGHNESS", "MP_EMISSIVE_COLOR")]
+    assert all(node in nodes[1:] and output == "" for node, output in laid)
+    assert ends["MP_METALLIC"][0] not in nodes
+    script = (tmp_path / "unreal" / "make_material.py").read_text()
+    assert '"roughness": [-1.0, -1.0, -1.0]' in script
+    assert '"color": [0.5, 0.5, 0.5]' in script
 
 
 @pytest.mark.parametrize("target", TARGETS)

@@ -9,7 +9,7 @@ import pytest
 
 import in_godot
 import tilewright as tw
-from handmade import handmade, handmade_surface, under_clouds
+from handmade import handmade, of_numbers, surface_under_clouds, under_clouds
 from tilewright.export.engines import save_for_engine
 from tilewright.shaders import lookup as lookups
 from tilewright.tilings import packing
@@ -96,6 +96,7 @@ def test_the_osl_shader_draws_the_pixels_of_the_field(in_blender, tmp_path):
     made = [handmade(tw.corner_tiles(colors), 16) for colors in (2, 5)]
     made += [with_variants(2, 3), with_variants(3, 2)]
     made += [under_one_sky(tiles) for tiles in (tw.corner_tiles(2), tw.classed_corner_tiles(2, 5))]
+    made += [of_numbers(made[-1], "roughness")]
     origins = [(0, 0), (-300, 77)]
     jobs = []
     for n, material in enumerate(made):
@@ -127,7 +128,7 @@ def test_blender_renders_the_pixels_of_the_field(in_blender, tmp_path):
 
 
 def test_blender_wires_every_map(in_blender, tmp_path):
-    save_for_engine(handmade_surface(), tmp_path / "blender", "blender", seed=7)
+    save_for_engine(surface_under_clouds(), tmp_path / "blender", "blender", seed=7)
     job = {"material": str(tmp_path / "blender" / "material.py"), "pixels": 16, "tiles": 1}
     in_blender([job])
     wired = json.loads(Path(job["out"]).with_suffix(".json").read_text())
@@ -162,6 +163,6 @@ def test_godot_renders_the_pixels_of_the_field(kind, browser, tmp_path):
 @needs_godot
 @pytest.mark.browser
 def test_godot_takes_every_map(browser, tmp_path):
-    save_for_engine(handmade_surface(), tmp_path / "godot", "godot", seed=7)
+    save_for_engine(surface_under_clouds(), tmp_path / "godot", "godot", seed=7)
     _, errors = in_godot.draw(browser, tmp_path / "godot", 8, (0, 0), 64)
     assert errors == []

@@ -53,7 +53,8 @@ def places(colors, tiles):
 def include_of(dialect, kit):
     """The text that an export puts into a shader."""
     if dialect == "unity":
-        return fill("unity/Tilewright.hlsl", **kit.numbers(), include=kit.lookup("hlsl"))
+        values = kit.numbers() | kit.example_tone()
+        return fill("unity/Tilewright.hlsl", **values, include=kit.lookup("hlsl"))
     return kit.lookup(dialect)
 
 
@@ -159,6 +160,7 @@ def test_a_dialect_lays_the_tone(dialect, span, tiles, device, tmp_path):
         drawn = dialects.draw(
             device, dialect, include, levels, 32, texel, (96, 64), tmp_path,
             atlas=dialect == "unreal", tone=kit.tone("map0"), laid=kit.lookup("unreal tone"),
+            mean=kit.example_tone()["mean"],
         )  # fmt: skip
         off = np.abs(drawn[..., :3].astype(int) - field.render(*texel, 96, 64))
         assert off.max() <= 2

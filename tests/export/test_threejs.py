@@ -18,6 +18,7 @@ from tilewright.export.engines import save_for_engine
 from tilewright.export.engines.kit import prepare
 from tilewright.export.ktx2 import write_ktx2
 from tilewright.signals.textures import copy_from_sources
+from tilewright.signals.textures.tone import Tone
 
 NODE_MODULES = Path(__file__).parents[2] / ".venv" / "node" / "node_modules"
 RELEASES = ["three", "three-oldest"]
@@ -326,6 +327,20 @@ def test_lit_as_by_threes_own_slots(open_folder, tmp_path, green, side, release)
         assert np.ptp(theirs[..., 0]) > 50
         # A pixel or two at the rim, where the light grazes, may differ.
         assert (np.abs(ours - theirs) > 2).mean() < 5e-4, kind
+
+
+@pytest.mark.parametrize("release", RELEASES)
+def test_roughness_takes_its_tone(open_folder, tmp_path, release):
+    """A tone of 0 changes nothing, and one that smooths the surface makes highlights."""
+    dull = constant({"roughness": [250]}, {"roughness": "roughness"})
+    balls = []
+    for n, tone in enumerate((None, 0, -200)):
+        texels = {"roughness": np.full((4, 4, 1), tone or 0, np.float32)}
+        material = dull if tone is None else replace(dull, tone=Tone(16, 1, texels))
+        page = open_folder(export(material, tmp_path / f"a{n}"), release)
+        balls.append(draw(page, "ball", type="MeshStandardMaterial", side="FrontSide").astype(int))
+    assert np.abs(balls[0] - balls[1]).max() <= 1
+    assert np.abs(balls[2] - balls[0]).max() > 20
 
 
 @pytest.mark.parametrize("release", RELEASES[:1])

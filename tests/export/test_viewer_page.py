@@ -8,7 +8,7 @@ import pytest
 
 import tilewright as tw
 from browsing import NEEDS_BROWSER, watched_page
-from handmade import handmade, under_clouds
+from handmade import handmade, of_numbers, under_clouds
 from tilewright.analysis import compare_textures
 from tilewright.errors import TilewrightError
 from tilewright.fields.photos.contenders import side_by_side
@@ -138,6 +138,23 @@ def test_the_page_lays_the_tone_that_python_lays(open_page, span):
     wait_until(page, lambda: view(page)["map"] == "map1")
     shown = read(page)
     assert np.array_equal(shown, field.render(*origin(state, 32), *shown.shape[1::-1], map="map1"))
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.float32])
+def test_the_page_lays_the_tone_of_heights(open_page, kind):
+    """In floats they reach beyond 1, and the page shows what their tone needs too."""
+    material = of_numbers(under_clouds(handmade(tw.classed_corner_tiles(2, 5), 32, kind), 2), "height")
+    page = open_page(material, seed=7)
+    state = view(page, seed="7", cellX="-3", cellY="5", pixelsPerTile=32)
+    shown = read(page)
+    field = tw.TextureField(material, tw.direct(material.tiles, 7))
+    wanted = field.render(*origin(state, 32), shown.shape[1], shown.shape[0]).astype(float)
+    slope, base = np.polyfit(wanted.ravel(), shown.ravel().astype(float), 1)
+    assert np.abs(slope * wanted + base - shown).max() < 3
+    if kind is np.float32:
+        assert np.ptp(wanted) < 255 / slope < 2 * np.ptp(wanted)
+    else:
+        assert slope == pytest.approx(1, abs=0.01)
 
 
 @pytest.mark.parametrize("tiles", [tw.corner_tiles(3, 2), tw.cohen_tiles(18)], ids=repr)

@@ -8,7 +8,7 @@ import pytest
 
 import tilewright as tw
 from browsing import NEEDS_BROWSER, watched_page
-from handmade import handmade, under_clouds
+from handmade import handmade, of_numbers, under_clouds
 from tilewright.export.engines import save_for_engine
 
 READ = """wanted => {
@@ -84,6 +84,16 @@ def test_the_page_lays_the_tone(open_page, span):
         assert off.mean() < 0.4
         shown = read(page, cell=[x, y], place=[3 / 32, 11 / 32], zoom=1, map="map1")
         assert np.array_equal(shown, field.render(*place, map="map1"))
+
+
+@pytest.mark.parametrize("kind", ["roughness", "height"])
+def test_the_page_lays_the_tone_of_numbers(open_page, kind):
+    material = of_numbers(under_clouds(handmade(tw.classed_corner_tiles(2, 5), 32), 2), kind)
+    shown = read(open_page(material), cell=[-3, 5], place=[3 / 32, 11 / 32], zoom=1, map="map0").astype(int)
+    wanted = tw.TextureField(material, tw.direct(material.tiles, 7)).render(
+        -96 + 3 - 80, 160 + 11 - 60, 160, 120
+    )
+    assert np.abs(shown - wanted).max() <= 2
 
 
 @pytest.mark.parametrize("channels", [1, 2, 3, 4])

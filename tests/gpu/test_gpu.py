@@ -7,7 +7,7 @@ import pytest
 
 import tilewright as tw
 from drawing import drawn
-from handmade import handmade, under_clouds
+from handmade import handmade, of_numbers, under_clouds
 from tilewright.errors import TilewrightError
 from tilewright.gpu import (
     GpuField,
@@ -116,6 +116,20 @@ def test_tone_is_that_of_the_rendered_field(span, dtype):
         off = np.abs(picture - plain.render(x, y, 150, 110))
         assert off.max() <= 2.5 / 255 * white
         assert off.mean() < 0.4 / 255 * white
+
+
+@drawn
+@pytest.mark.parametrize("kind", ["roughness", "height"])
+@pytest.mark.parametrize("dtype", [np.uint8, np.float32])
+def test_tone_of_numbers_is_an_offset(kind, dtype):
+    material = of_numbers(toned(2, dtype), kind)
+    tiling = tw.direct(material.tiles, 5)
+    picture = GpuField(material, tiling).render(OrthographicCamera(-70, 40, 150, 110)).astype(float)
+    wanted = tw.TextureField(material, tiling).render(-70, 40, 150, 110)
+    span = 255 if dtype is np.uint8 else 8 if kind == "height" else 1
+    assert np.abs(picture - wanted).max() <= 2.5 / 255 * span
+    if kind == "height" and dtype is np.float32:
+        assert wanted.min() < 0 or wanted.max() > 1  # nothing clips heights
 
 
 @drawn

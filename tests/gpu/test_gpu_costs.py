@@ -43,6 +43,15 @@ def test_what_is_counted():
     assert count_cost("plain").instructions == (11, 11)
 
 
+@counted
+def test_tone_costs_three_fetches_more():
+    classed, tone = count_cost("classed"), count_cost("tone")
+    assert (classed.fetches, tone.fetches) == (1, 4)
+    assert (classed.textures, tone.textures) == (1, 2)
+    assert tone.instructions[1] < 500
+    assert tone.texels - classed.texels == 64**2
+
+
 def test_counting_without_tools(monkeypatch):
     import costs
 
@@ -65,6 +74,7 @@ def test_a_shader_that_does_not_compile_shows_its_log():
 def test_the_table_has_every_method_with_both_hashes():
     table = cost_table(colors=3)
     named = [(cost.method, cost.hash) for cost in table]
-    assert len(set(named)) == 7
-    assert [method for method, _ in named] == ["plain", *("array", "atlas", "wei") * 2]
+    assert len(set(named)) == 9
+    hashed = ("array", "atlas", "wei")
+    assert [method for method, _ in named] == ["plain", *hashed, "classed", "tone", *hashed]
     assert table[1] == count_cost("array", hash="mixer", colors=3)

@@ -135,13 +135,13 @@ _TONED = {
     "wgsl": (
         "return tw_sample(map, filtering, tw_find(p, cell));",
         """let color = tw_sample(map, filtering, tw_find(p, cell));
-  return vec4f(tw_lay(color.rgb, tw_tone(tone, filtering, p, cell)), color.a);""",
+  return vec4f(tw_lay(color.rgb, tw_tone(tone, filtering, p, cell), vec3f({mean})), color.a);""",
         "@group(0) @binding(3) var tone: texture_2d<f32>;",
     ),
     "hlsl": (
         "return TwSample(map, filtering, TwFind(p, cell));",
         """float4 color = TwSample(map, filtering, TwFind(p, cell));
-  return float4(TwLay(color.rgb, TwTone(tone, filtering, p, cell)), color.a);""",
+  return float4(TwLay(color.rgb, TwTone(tone, filtering, p, cell), float3({mean})), color.a);""",
         "[[vk::binding(3, 0)]] Texture2D tone;",
     ),
     "unity": (
@@ -158,24 +158,25 @@ struct UnityTexture2D { Texture2D tex; SamplerState samplerstate; };""",
     "unreal": (
         "return map.SampleGrad(filtering, uv, dx, dy);",
         """float4 color = map.SampleGrad(filtering, uv, dx, dy);
-  return float4(Lay(p, (float2)cell, color.rgb, tone, filtering), color.a);""",
+  return float4(Lay(p, (float2)cell, color.rgb, float3({mean}), tone, filtering), color.a);""",
         """[[vk::binding(3, 0)]] Texture2D tone;
 {struct}
-float3 Lay(float2 Position, float2 Origin, float3 Color, Texture2D Tone, SamplerState ToneSampler) {{
+float3 Lay(
+    float2 Position, float2 Origin, float3 Color, float3 Mean, Texture2D Tone, SamplerState ToneSampler) {{
 {code}
 }}""",
     ),
 }
 
 
-def with_tone(dialect, source, laid):
+def with_tone(dialect, source, laid, mean):
     """The shader of `drawing` with tone laid, in Unreal by the code ``laid`` of a node of its own."""
     plain, toned, declared = _TONED[dialect]
     if dialect == "unreal":
         struct, end, code = laid.replace("TwFunctions", "TwMore").partition("\n};\n")
         declared = declared.format(struct=struct + end, code=code)
     assert source.count(plain) == 1
-    return declared + source.replace(plain, toned)
+    return declared + source.replace(plain, toned.replace("{mean}", mean))
 
 
 def drawing(dialect, include, atlas):
@@ -247,7 +248,20 @@ def ask(device, dialect, include, cells, what, tmp_path):
 
 
 def draw(
-    device, dialect, include, levels, size, texel, window, tmp_path, *, atlas, step=1, tone=None, laid=""
+    device,
+    dialect,
+    include,
+    levels,
+    size,
+    texel,
+    window,
+    tmp_path,
+    *,
+    atlas,
+    step=1,
+    tone=None,
+    laid="",
+    mean="",
 ):
     """A window of the plane, ``step`` texels for each pixel; ``texel`` is the one in its corner."""
     import wgpu
@@ -276,7 +290,7 @@ def draw(
     ]
     source = drawing(dialect, include, atlas)
     if tone is not None:
-        source = with_tone(dialect, source, laid)
+        source = with_tone(dialect, source, laid, mean)
         picture = upload(device, tone, "rgba16float").create_view()
         layout.append({"binding": 3, "visibility": stage, "texture": {"sample_type": "float"}})
         entries.append({"binding": 3, "resource": picture})

@@ -7,7 +7,7 @@ from scipy.ndimage import gaussian_filter
 
 from tilewright.pixels import white
 from tilewright.signals.textures import TextureTiles, copy_from_sources
-from tilewright.signals.textures.tone import Tone
+from tilewright.signals.textures.tone import TONED, Tone
 from tilewright.tiles import TileSet, corner_tiles
 from tilewright.tiles.variants import Variants
 
@@ -44,8 +44,20 @@ def under_clouds(material: TextureTiles, span: int) -> TextureTiles:
     rng = np.random.default_rng(4)
     clouds = gaussian_filter(rng.normal(0, 0.4, (20, 26, 3)), (3, 3, 0)).astype(np.float32)
     calm = {name: (pixels / 4 + most * 0.4).astype(kind) for name, pixels in material.maps.items()}
-    tone = Tone(material.tile_size, span, {material.main: clouds * np.float32(most)})
+    mean = calm[material.main].mean(axis=(0, 1, 2), dtype=np.float64).astype(np.float32)
+    texels = {material.main: clouds * np.float32(most)}
+    tone = Tone(material.tile_size, span, texels, {material.main: mean})
     return replace(material, maps=calm, tone=tone)
+
+
+def of_numbers(material: TextureTiles, kind: str) -> TextureTiles:
+    """The same, whose main map holds roughness or heights: tone is an offset alone; heights have any size."""
+    assert material.tone is not None
+    main, kinds = material.main, material.kinds | {material.main: kind}
+    maps, texels = dict(material.maps), dict(material.tone.maps)
+    if kind == "height" and maps[main].dtype.kind == "f":
+        maps[main], texels[main] = 8 * maps[main] - 3, 8 * texels[main]
+    return replace(material, maps=maps, kinds=kinds, tone=replace(material.tone, maps=texels, means={}))
 
 
 def handmade_surface(colors=2):
@@ -70,3 +82,21 @@ def handmade_surface(colors=2):
     kinds = {"base color": "color", "normal": "normal-gl", "emissive": "color", "roughness": "roughness"}
     kinds = {name: kinds.get(name, "data") for name in maps}
     return replace(base, maps=copy_from_sources(sources, base.origins), sources=sources, kinds=kinds)
+
+
+def surface_under_clouds(colors=2):
+    """`handmade_surface` whose colors, roughness and heights have tone."""
+    surface, rng = handmade_surface(colors), np.random.default_rng(6)
+    kinds = surface.kinds | {"height": "height"}
+    toned = {name: kind for name, kind in kinds.items() if kind in TONED}
+    maps = {
+        name: rng.normal(0, 0.1 * white(surface.maps[name].dtype), (9, 7, surface.maps[name].shape[3]))
+        for name in toned
+    }
+    means = {
+        name: np.full(maps[name].shape[2], 0.5 * white(surface.maps[name].dtype), np.float32)
+        for name, kind in toned.items()
+        if kind == "color"
+    }
+    texels = {name: map.astype(np.float32) for name, map in maps.items()}
+    return replace(surface, kinds=kinds, tone=Tone(surface.tile_size, 2, texels, means))

@@ -107,7 +107,7 @@ class TextureField(PixelField):
             return
         laid = tone_window(tone, self.tiling.chance, self.tiling.domain, *window)
         for name, out in toned.items():
-            add_tone(out, laid, name)
+            add_tone(out, laid, name, self.material.kinds[name])
 
 
 def _cells(first: int, count: int, size: int) -> tuple[int, int, int]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tilewright.fields.photos.methods import mirrored
 from tilewright.pixels import has_alpha
 from tilewright.signals.textures.kinds import to_encoded, to_linear
-from tilewright.signals.textures.tone import Texels, Tone
+from tilewright.signals.textures.tone import Texels, Tone, is_linear_light
 from tilewright.tilings import Domain, LatticeHash
 from tilewright.tilings.domain import fold
 from tilewright.tilings.streams import TONES
@@ -28,12 +28,15 @@ class Window(NamedTuple):
     left, top : int
         Pixels from the north-west corner of the first texel to that of the window.
     maps : dict of str to float32 array, shape (rows, columns, channels)
+    means : dict of str to float32 array, shape (channels,)
+        Below these tone is a factor.
     """
 
     texel: int
     left: int
     top: int
     maps: dict[str, Texels]
+    means: dict[str, NDArray[np.float32]]
 
 
 def tone_window(
@@ -57,7 +60,7 @@ def tone_window(
         for a, b in ((x, y), (x + width - 1, y + height - 1))
     )
     laid = _lay(tone, hash, domain, left, top, right - left + 2, bottom - top + 2)
-    return Window(t, x - left * t, y - top * t, laid)
+    return Window(t, x - left * t, y - top * t, laid, {name: tone.mean(name) for name in laid})
 
 
 def _lay(
@@ -114,17 +117,23 @@ def _squares(
     return square, texels, farther, (texels - farther * side + 0.5) / side
 
 
-def add_tone(out: NDArray[Any], laid: Window, name: str) -> None:
-    """Lay tone over a picture of a map, in place."""
-    from tilewright.kernels.toning import add_texels
-
-    texels = laid.maps[name]
-    if out.dtype.kind == "f":
+def add_tone(out: NDArray[Any], laid: Window, name: str, kind: str) -> None:
+    """Lay tone over a picture of a map of some kind, in place."""
+    if is_linear_light(out, kind):
         shown = np.ascontiguousarray(to_encoded(out))
-        add_texels(len(out), texels, laid.texel, laid.left, laid.top, np.float32(0), shown)
+        _add(shown, laid, name)
         alpha = out[..., -1:].copy() if has_alpha(out.shape[-1]) else out[..., :0]
         out[...] = to_linear(np.maximum(shown, 0))
         out[..., out.shape[-1] - alpha.shape[-1] :] = alpha
-    else:
-        highest = np.float32(np.iinfo(out.dtype).max)
-        add_texels(len(out), texels, laid.texel, laid.left, laid.top, highest, out)
+        return
+    _add(out, laid, name)
+    if kind == "roughness" and out.dtype.kind == "f":
+        np.clip(out, 0, 1, out=out)
+
+
+def _add(out: NDArray[Any], laid: Window, name: str) -> None:
+    from tilewright.kernels.toning import add_texels
+
+    highest = np.float32(np.iinfo(out.dtype).max if out.dtype.kind == "u" else 0)
+    texels, mean = laid.maps[name], laid.means[name]
+    add_texels(len(out), texels, mean, laid.texel, laid.left, laid.top, highest, out)

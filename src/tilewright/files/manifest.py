@@ -18,9 +18,9 @@ from tilewright.tiles import ListedTileSet, TileSet, tile_set
 from tilewright.tiles.shape import Shape
 from tilewright.tiles.variants import NUMBER_BITS, Variants, check_variants
 
-SCHEMA, VARIANTS_SCHEMA, NEWEST_SCHEMA = 2, 3, 4
+SCHEMA, VARIANTS_SCHEMA, TONE_SCHEMA, NEWEST_SCHEMA = 2, 3, 4, 5
 """What is written; where variants ask for it, of a texture any, of points those with weights; where there is
-tone."""
+tone; where tone is a factor below a mean."""
 _DROPPED_BY_SYSTEMS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 

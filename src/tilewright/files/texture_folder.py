@@ -14,6 +14,7 @@ from tilewright.files.images import lossless_suffix, read_image, write_image
 from tilewright.files.manifest import (
     NEWEST_SCHEMA,
     SCHEMA,
+    TONE_SCHEMA,
     VARIANTS_SCHEMA,
     Reader,
     StoredVariants,
@@ -28,11 +29,18 @@ from tilewright.signals.textures.tone import Tone
 from tilewright.tiles.variants import Variants
 
 
-class StoredTone(msgspec.Struct, forbid_unknown_fields=True):
+class StoredTone(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     """Tone outside the tiles: tiles from grid point to grid point, and a picture of it for each map."""
 
     span: int
     maps: dict[str, str]
+    means: dict[str, list[float]] = {}
+    """For maps of color the mean of each channel; not there before schema 5."""
+
+    @classmethod
+    def of(cls, tone: Tone, files: dict[str, str]) -> "StoredTone":
+        """The description of tone whose pictures are in files."""
+        return cls(tone.span, files, {name: mean.tolist() for name, mean in tone.means.items()})
 
 
 class TextureManifest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
@@ -105,7 +113,7 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
             writer.checksums,
             material.kinds,
             store_variants(material.variants),
-            None if material.tone is None else StoredTone(material.tone.span, tone),
+            None if material.tone is None else StoredTone.of(material.tone, tone),
         )
     )
 
@@ -113,7 +121,7 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
 def _schema(material: TextureTiles) -> int:
     """The oldest that tells all of a material."""
     if material.tone is not None:
-        return NEWEST_SCHEMA
+        return NEWEST_SCHEMA if material.tone.means else TONE_SCHEMA
     return SCHEMA if len(material.variants) == len(material.tiles) else VARIANTS_SCHEMA
 
 
@@ -147,7 +155,8 @@ def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
     tone = None
     if manifest.tone is not None:
         toned = {n: _texels(n, image(f), maps) for n, f in manifest.tone.maps.items()}
-        tone = Tone(size, manifest.tone.span, toned)
+        means = {n: _mean(n, mean, toned) for n, mean in manifest.tone.means.items()}
+        tone = Tone(size, manifest.tone.span, toned, means)
     return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks, kinds, variants, tone)
 
 
@@ -159,6 +168,14 @@ def _texels(name: str, texels: NDArray[Any], maps: dict[str, NDArray[Any]]) -> N
             f"tone of {name} is {texels.dtype} {texels.shape}; expected finite float32 of {channels} channels"
         )
     return texels
+
+
+def _mean(name: str, mean: list[float], toned: dict[str, NDArray[np.float32]]) -> NDArray[np.float32]:
+    """The mean of a map that has tone, a number for each channel."""
+    channels = toned[name].shape[2] if name in toned else 0
+    if len(mean) != channels or not all(0 <= value < np.inf for value in mean):
+        raise TilewrightFileError(f"mean of {name} is {mean}; expected {channels} finite numbers from 0 on")
+    return np.array(mean, np.float32)
 
 
 def _stack(name: str, pictures: list[NDArray[Any]], count: int, size: int) -> NDArray[Any]:

@@ -68,7 +68,7 @@ class GpuField:
         hash = shader_hash(chance, counts, even_variants(material), tone=name in toned)
         lookup = make_layout(material, layout, map)
         if name in toned:
-            lookup = with_tone(lookup, material)
+            lookup = with_tone(lookup, material, name)
         pixels = PixelFormat.of(material.maps[name], material.kinds[name])
         self.material, self.tiling, self.layout = material, tiling, lookup.name
         self.mipmaps: tuple[Mipmaps, ...] = lookup.textures

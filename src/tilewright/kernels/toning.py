@@ -6,10 +6,11 @@ from tilewright.kernels.compiled import kernel
 
 
 @kernel(parallel=True)
-def add_texels(first, last, texels, texel, left, top, highest, out):
+def add_texels(first, last, texels, mean, texel, left, top, highest, out):
     """Add tone to a picture, interpolated between the middles of texels.
 
     texels : float32 (rows, columns, channels).
+    mean : float32 (channels,), below which tone is a factor; 0 where it never is.
     left, top : pixels from the north-west corner of the first texel to that of the picture.
     highest : the largest value of an integer type; 0 of floats, which are not rounded.
     out : (h, w, channels), changed.
@@ -31,7 +32,10 @@ def add_texels(first, last, texels, texel, left, top, highest, out):
             share = at - np.float32(column)
             for c in range(channels):
                 value = line[column, c] + share * (line[column + 1, c] - line[column, c])
-                value += np.float32(out[i, j, c])
+                shown = np.float32(out[i, j, c])
+                if shown < mean[c]:
+                    value *= shown / mean[c]
+                value += shown
                 if highest > 0:
                     value = min(max(np.float32(np.floor(value + half)), np.float32(0)), np.float32(highest))
                 out[i, j, c] = value

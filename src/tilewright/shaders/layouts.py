@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightValueError
-from tilewright.shaders.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps
+from tilewright.shaders.mipmaps import Mipmaps, atlas_mipmaps, layer_mipmaps, tone_mean
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.frame import shared_border
 from tilewright.tiles import CORNER, WANG, TileSet, corner_tiles
@@ -89,11 +89,13 @@ def make_layout(material: TextureTiles, layout: str | None, map: str | None) -> 
     return _array(material, map) if layout == "array" else _atlas(material, map)
 
 
-def with_tone(layout: Layout, material: TextureTiles) -> Layout:
-    """A layout over which tone is laid."""
+def with_tone(layout: Layout, material: TextureTiles, map: str) -> Layout:
+    """A layout over which the tone of a map is laid."""
     tone = material.tone
     assert tone is not None
     defines = {"SPAN": _real(tone.span), "TONE_TEXELS": _real(tone.tile_size / tone.texel)}
+    defines[f"TONE_OF_{material.kinds[map].upper()}"] = "1"
+    defines["TONE_MEAN"] = f"vec3({', '.join(_real(value) for value in tone_mean(material, map))})"
     return replace(layout, parts=(*layout.parts, "tone.glsl"), defines=layout.defines | defines)
 
 

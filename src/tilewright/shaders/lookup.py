@@ -5,6 +5,7 @@ the seed and on the signs of x and y alone, and is worked out here; a shader is 
 rows of lattice points around a cell and half a round for each of its four corners.
 """
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from tilewright import __version__
@@ -215,6 +216,11 @@ def _base_places() -> tuple[int, int]:
 def signed(word: int) -> int:
     """A 32-bit word as the signed integer of the same bits, for dialects that know no others."""
     return word - 2**32 if word >= 2**31 else word
+
+
+def reals(values: Iterable[float]) -> str:
+    """`real` literals with commas between them."""
+    return ", ".join(map(real, values))
 
 
 def real(value: float) -> str:

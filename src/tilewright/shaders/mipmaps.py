@@ -196,6 +196,14 @@ def tone_levels(material: TextureTiles, map: str) -> list[NDArray[np.float16]]:
     return [level.astype(np.float16) for level in levels]
 
 
+def tone_mean(material: TextureTiles, map: str) -> tuple[float, ...]:
+    """Red, green and blue below which a map's tone is a factor, as a share of white in sRGB; 0 for never."""
+    if material.tone is None or map not in material.tone.maps:
+        return (0.0, 0.0, 0.0)
+    mean = without_alpha(material.tone.mean(map)) / white(material.maps[map].dtype)
+    return tuple(float(value) for value in np.broadcast_to(mean, 3))
+
+
 def check_map_name(material: TextureTiles, map: str | None) -> str:
     """A map's name, the main one by default."""
     return material.main if map is None else check_choice("map", map, tuple(material.maps))

@@ -27,6 +27,7 @@ def write(folder: Path, kit: Kit) -> None:
         files=json.dumps({slot: files[map] for slot, map in slots.items()}, indent=4),
         light=json.dumps(light),
         tones=json.dumps({slot: tones[map] for slot, map in kit.toned_slots.items()}),
+        means=json.dumps({slot: kit.tone_mean(map) for slot, map in kit.toned_slots.items()}),
         toned=bool(tones),
     )
     (folder / "material.py").write_text(script, encoding="utf-8")

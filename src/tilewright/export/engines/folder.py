@@ -152,8 +152,9 @@ def _describe_tone(kit: Kit, tones: dict[str, str]) -> list[str]:
     if not kit.toned:
         return []
     return [
-        f"Tone, colors that vary over more than a tile, lies in {', '.join(tones.values())}, around 0 in "
-        "sRGB, and belongs over the tiles: three fetches more, by the shader where there is one."
+        f"Tone, what varies over more than a tile, lies in {', '.join(tones.values())}, around 0 (colors in "
+        "sRGB), and belongs over the tiles: three fetches more, by the shader where there is one; each map's "
+        f"mean, which its darker colors are measured by, is in {FACTS}."
     ]
 
 
@@ -191,6 +192,7 @@ def _write_facts(kit: Kit, folder: Path, files: dict[str, str], tones: dict[str,
     if kit.tone_grid:
         facts["tone"] = {
             "files": tones,
+            "means": {map: kit.tone_mean(map) for map in tones},
             "span": kit.tone_grid.span,
             "texels": kit.tone_grid.texels,
             "start_states": start_states(kit.seed, TONES),

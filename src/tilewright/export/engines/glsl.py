@@ -17,7 +17,7 @@ def write(folder: Path, kit: Kit) -> None:
     include = kit.lookup("glsl")
     (folder / "tilewright.glsl").write_text(include, encoding="utf-8")
     texts = {"texture": texture, "edge": edge, "include": include}
-    example = fill("glsl/example.frag", **texts, toned=bool(kit.toned))
+    example = fill("glsl/example.frag", **texts, **kit.example_tone())
     (folder / "example.frag").write_text(example, encoding="utf-8")
     webgl.write(folder, kit)
     finish(

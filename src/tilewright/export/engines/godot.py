@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tilewright.export.engines.folder import file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit, Levels
 from tilewright.export.engines.parts import fill
+from tilewright.shaders.lookup import reals
 
 _FORMATS = {
     ("u1", 1): "Red8",
@@ -38,11 +39,11 @@ def write(folder: Path, kit: Kit) -> None:
         for slot in kit.slots
         if slot != "height"
     ]
-    uniforms += [
-        f"uniform sampler2D {slot}_tone : filter_linear_mipmap, repeat_disable;" for slot in kit.toned_slots
-    ]
+    toned = {slot: map for slot, map in kit.toned_slots.items() if slot != "height"}
+    uniforms += [f"uniform sampler2D {slot}_tone : filter_linear_mipmap, repeat_disable;" for slot in toned]
     values = kit.numbers() | {"uniforms": "\n".join(uniforms), "place": "vec3" if array else "vec2"}
-    values |= {f"{slot}_toned": slot in kit.toned_slots for slot in ("color", "emission")}
+    values |= {f"{slot}_toned": slot in toned for slot in ("color", "roughness", "emission")}
+    values |= {f"{slot}_mean": reals(kit.tone_mean(map)) for slot, map in toned.items()}
     for name in ("tilewright.gdshader", "project.godot", "example.tscn"):
         (folder / name).write_text(fill(f"godot/{name}", **values), encoding="utf-8")
     (folder / "tilewright.gdshaderinc").write_text(kit.lookup("godot"), encoding="utf-8")
@@ -93,7 +94,11 @@ def _material(kit: Kit, files: dict[str, str], tones: dict[str, str]) -> str:
     """The ShaderMaterial."""
     kind = "Texture2DArray" if kit.form == "array" else "Texture2D"
     used = [(slot, f"{slot}_map", kind, files[map]) for slot, map in kit.slots.items() if slot != "height"]
-    used += [(f"{s}_tone", f"{s}_tone", "Texture2D", tones[map]) for s, map in kit.toned_slots.items()]
+    used += [
+        (f"{slot}_tone", f"{slot}_tone", "Texture2D", tones[map])
+        for slot, map in kit.toned_slots.items()
+        if slot != "height"
+    ]
     lines = [
         f'[gd_resource type="ShaderMaterial" load_steps={len(used) + 2} format=3]\n',
         '[ext_resource type="Shader" path="res://tilewright.gdshader" id="shader"]',

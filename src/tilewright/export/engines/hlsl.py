@@ -20,7 +20,7 @@ def write(folder: Path, kit: Kit) -> None:
     texture, edge = ("Texture2DArray", "CLAMP") if array else ("Texture2D", "WRAP")
     (folder / "tilewright.hlsl").write_text(kit.lookup("hlsl"), encoding="utf-8")
     texts = {"texture": texture, "edge": edge}
-    example = fill("hlsl/example.hlsl", **texts, toned=bool(kit.toned))
+    example = fill("hlsl/example.hlsl", **texts, **kit.example_tone())
     (folder / "example.hlsl").write_text(example, encoding="utf-8")
     finish(
         kit,

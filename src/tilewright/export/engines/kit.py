@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tilewright.errors import TilewrightValueError
 from tilewright.pixels import MAP_WORDS, as_rgba, without_alpha
 from tilewright.shaders.layouts import even_variants, packed_rows
-from tilewright.shaders.lookup import ARRAY_TILES, MOST_COLORS, ToneGrid, lookup, numbers
+from tilewright.shaders.lookup import ARRAY_TILES, MOST_COLORS, ToneGrid, lookup, numbers, reals
 from tilewright.shaders.mipmaps import (
     Mipmaps,
     atlas_mipmaps,
@@ -19,6 +19,7 @@ from tilewright.shaders.mipmaps import (
     layer_gutter,
     layer_mipmaps,
     tone_levels,
+    tone_mean,
 )
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import is_normal, is_signed, to_linear
@@ -32,6 +33,8 @@ _SLOTS = {
     "opacity": MAP_WORDS["opacity"].slot,
 }
 Levels = list[NDArray[Any]]
+NO_MEAN = (-1.0, -1.0, -1.0)
+"""In place of the mean of maps over which tone is an offset alone."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,6 +105,16 @@ class Kit:
     def toned_slots(self) -> dict[str, str]:
         """The slots whose maps have tone, and these."""
         return {slot: map for slot, map in self.slots.items() if map in self.toned}
+
+    def example_tone(self) -> dict[str, str | bool]:
+        """What templates are filled with: whether the map of color has tone, and its `tone_mean`."""
+        map = self.toned_slots.get("color")
+        mean = self.tone_mean(map) if map else NO_MEAN
+        return {"color_toned": map is not None, "mean": reals(mean)}
+
+    def tone_mean(self, map: str) -> tuple[float, ...]:
+        """Red, green and blue below which a map's tone is a factor, in sRGB; -1 for maps of numbers."""
+        return tone_mean(self.material, map) if self.material.kinds[map] == "color" else NO_MEAN
 
     def tone(self, map: str) -> Levels:
         """Mip levels of a map's tone, shape (1, rows, columns, 4) each; see `tone_levels`."""

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError
-from tilewright.export.engines.folder import file_names, finish, tone_names
+from tilewright.export.engines.folder import FACTS, file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
 from tilewright.files.images import NO_DATE
@@ -20,18 +20,20 @@ def write(folder: Path, kit: Kit) -> None:
         write_tx(folder / file, [level[0] for level in kit.levels(map)[0]])
     for map, file in tone_names(kit, files).items():
         write_tx(folder / file, [level[0] for level in kit.tone(map)], wrap="mirror")
-    shader = fill("osl/tilewright.osl", lookup=kit.lookup("osl"), **kit.numbers())
+    values = kit.numbers() | kit.example_tone() | {"lookup": kit.lookup("osl")}
+    shader = fill("osl/tilewright.osl", **values)
     (folder / "tilewright.osl").write_text(shader, encoding="utf-8")
+    own = f", Tone and Mean its own (means are in {FACTS})" if kit.toned else ""
     finish(
         kit,
         folder,
         "Open Shading Language",
         "rendered here, in Cycles of Blender 5.0",
         [
-            f"Compile tilewright.osl with oslc; give Map a file{', Tone its own' if kit.toned else ''} and "
+            f"Compile tilewright.osl with oslc; give Map a file{own} and "
             "Position tiles, x east and y south (u, -v).",
             "Maps of kind color hold sRGB where they are 8 bit; linearize them as your renderer does for "
-            f"textures.{' For the others set Linear to 1.' if kit.toned else ''}",
+            f"textures.{' For light in the others set Linear to 1.' if kit.toned else ''}",
         ],
         files,
     )

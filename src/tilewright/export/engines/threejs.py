@@ -16,7 +16,9 @@ def write(folder: Path, kit: Kit) -> None:
     """Fill a folder for three.js."""
     files = write_textures(folder, kit)
     described = {"form": kit.form, "files": files, "slots": kit.slots}
-    described |= {"tones": tone_names(kit, files)} if kit.toned else {}
+    if kit.toned:
+        means = {map: kit.tone_mean(map) for map in kit.toned}
+        described |= {"tones": tone_names(kit, files), "means": means}
     values = {
         "count": str(len(kit.material.tiles)),
         "set": json.dumps(described, indent=2),

@@ -6,6 +6,7 @@ from tilewright.export.engines.dds import write_dds
 from tilewright.export.engines.folder import file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
+from tilewright.shaders.lookup import reals
 
 _READS = {
     "color": "surface.albedo = {}.rgb;",
@@ -16,6 +17,12 @@ _READS = {
     "emission": "surface.emission = {}.rgb;",
 }
 """What each slot's map gives to URP's SurfaceData."""
+_LAYS = {
+    "color": "surface.albedo = TwLay(surface.albedo, {0}, {1});",
+    "roughness": "surface.smoothness = saturate(surface.smoothness - {0}.r);",
+    "emission": "surface.emission = TwLay(surface.emission, {0}, {1});",
+}
+"""How tone, and the mean of its map, change that."""
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -38,7 +45,8 @@ def write(folder: Path, kit: Kit) -> None:
     texts = {"maps": pairs, "array": array, "tones": listed}
     importer = fill("unity/TilewrightImporter.cs", **texts, toned=bool(tones))
     (folder / "Editor" / "TilewrightImporter.cs").write_text(importer, encoding="utf-8")
-    include = fill("unity/Tilewright.hlsl", **kit.numbers(), include=kit.lookup("hlsl"))
+    values = kit.numbers() | kit.example_tone() | {"include": kit.lookup("hlsl")}
+    include = fill("unity/Tilewright.hlsl", **values)
     (folder / "Tilewright.hlsl").write_text(include, encoding="utf-8")
     (folder / "Tilewright.shader").write_text(_shader(kit, used), encoding="utf-8")
     finish(
@@ -54,7 +62,7 @@ def write(folder: Path, kit: Kit) -> None:
             "Tilewright Material: Tiles is the number of tiles across one unit of UV. "
             "Height and opacity are not wired.",
             "Shader Graph: a Custom Function node of type File with Tilewright.hlsl; functions "
-            f"Tilewright{', TilewrightTone (of its Color)' if tones else ''} and TilewrightNormal. "
+            f"Tilewright{', TilewrightTone (of the map of color)' if tones else ''} and TilewrightNormal. "
             "In the Built-in pipeline include Tilewright.hlsl yourself.",
             "Textures are .twdds, DDS by another name, so that the importer in Editor keeps their mip "
             "levels.",
@@ -79,8 +87,8 @@ def _shader(kit: Kit, used: dict[str, str]) -> str:
         properties.append(f'    {name} ("{slot.capitalize()} tone", 2D) = "black" {{}}')
         textures.append(f"      TEXTURE2D({name}); SAMPLER(sampler{name});")
         tone = f"TwToneUp({name}, sampler{name}, input.uv, _Origin.xy)"
-        lit = {"color": "albedo"}.get(slot, slot)
-        reads.append(f"        surface.{lit} = TwLay(surface.{lit}, {tone});")
+        mean = f"float3({reals(kit.tone_mean(kit.slots[slot]))})"
+        reads.append(f"        {_LAYS[slot].format(tone, mean)}")
     return fill(
         "unity/Tilewright.shader",
         properties="\n".join(properties),

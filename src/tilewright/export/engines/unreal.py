@@ -31,6 +31,7 @@ def write(folder: Path, kit: Kit) -> None:
         light=json.dumps([s for s, map in slots.items() if kit.levels(map)[1]]),
         floats=json.dumps(floats),
         tones=json.dumps({slot: tones[map] for slot, map in kit.toned_slots.items()}),
+        means=json.dumps({slot: kit.tone_mean(map) for slot, map in kit.toned_slots.items()}),
         toned=bool(tones),
     )
     (folder / "make_material.py").write_text(script, encoding="utf-8")

@@ -49,7 +49,8 @@ def _script(kit: Kit) -> Iterator[str]:
         if map in kit.toned:
             tone = kit.tone(map)
             rows, columns = tone[0].shape[1:3]
-            yield f'  ], tone: {{ "width": {columns}, "height": {rows}, levels: [\n'
+            described = {"width": columns, "height": rows, "mean": kit.tone_mean(map)}
+            yield f"  ], tone: {{ ...{json.dumps(described)}, levels: [\n"
             yield from _texts(tone)
             yield "  ] } },\n"
         else:

@@ -15,7 +15,7 @@ def write(folder: Path, kit: Kit) -> None:
     texture, edge = ("texture_2d_array", "clamp-to-edge") if array else ("texture_2d", "repeat")
     (folder / "tilewright.wgsl").write_text(kit.lookup("wgsl"), encoding="utf-8")
     texts = {"texture": texture, "edge": edge}
-    example = fill("wgsl/example.wgsl", **texts, toned=bool(kit.toned))
+    example = fill("wgsl/example.wgsl", **texts, **kit.example_tone())
     (folder / "example.wgsl").write_text(example, encoding="utf-8")
     finish(
         kit,

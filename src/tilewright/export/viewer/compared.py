@@ -9,14 +9,13 @@ from numpy.typing import NDArray
 
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.parts import fill, part
-from tilewright.export.viewer.pictures import describe_map, encode_png, mean_color
+from tilewright.export.viewer.pictures import describe_map, describe_tone, encode_png, mean_color
 from tilewright.export.viewer.sets import describe_set
 from tilewright.fields import TextureField
 from tilewright.fields.photos.contenders import Contender, SideBySide
 from tilewright.fields.photos.gaussian import gaussianize
 from tilewright.fields.photos.methods import NoiseField, patch_range, triangle_grid
 from tilewright.pixels import without_alpha
-from tilewright.shaders.mipmaps import tone_levels
 from tilewright.signals.textures import TextureTiles, copy_from_sources
 
 # Figure -> (head of its column, what it says); those of contrast share a column.
@@ -36,7 +35,7 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
     """Photograph, tile sets and methods; all show the photograph as the same bytes."""
     name = compare.material.main
     light = compare.material.kinds[name] == "color"
-    photo, note = screen_bytes(compare.photo, light)
+    photo, note, _ = screen_bytes(compare.photo, light)
     if light:
         photo = np.ascontiguousarray(without_alpha(photo))
     planes = []
@@ -45,7 +44,7 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
         if isinstance(one.field, TextureField):
             tiles = one.field.material
             shown = _shown_tiles(tiles, name, photo)
-            tone = tone_levels(tiles, name)
+            tone = describe_tone(tiles, name)
             plane["tiles"] = describe_set(
                 tiles.tiles, tiles.variants, seed, [describe_map(name, shown, light, tone)], tiles.tone
             )
@@ -66,7 +65,7 @@ def _shown_tiles(tiles: TextureTiles, name: str, photo: NDArray[np.uint8]) -> ND
     if tiles.tone is None:
         return copy_from_sources(({name: photo},), tiles.origins)[name]
     light = tiles.kinds[name] == "color"
-    shown, _ = screen_bytes(tiles.maps[name], light)
+    shown = screen_bytes(tiles.maps[name], light).pixels
     return np.ascontiguousarray(without_alpha(shown)) if light else shown
 
 

@@ -16,12 +16,11 @@ from tilewright.errors import TilewrightValueError
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.compared import describe_comparison, fill_comparison
 from tilewright.export.viewer.parts import fill, part, shader
-from tilewright.export.viewer.pictures import describe_map
+from tilewright.export.viewer.pictures import describe_map, describe_tone
 from tilewright.export.viewer.sets import BAKED_CELLS, describe_set, is_baked
 from tilewright.fields.photos.contenders import SideBySide
 from tilewright.files.atomic import AnyPath, as_path, check_file, whole_file
 from tilewright.seeds import check_seed
-from tilewright.shaders.mipmaps import tone_levels
 from tilewright.signals.textures import TextureTiles
 
 _SCRIPTS = ("lattice.js", "camera.js", "renderer.js", "photo.js", "controls.js", "comparison.js", "main.js")
@@ -149,8 +148,11 @@ def _describe(material: TextureTiles, seed: int) -> dict[str, Any]:
     maps, notes = [], []
     for name, pixels in material.maps.items():
         light = material.kinds[name] == "color"
-        shown, note = screen_bytes(pixels, light)
-        maps.append(describe_map(name, shown, light, tone_levels(material, name)))
-        notes.append({"name": name, "note": note})
+        texels = None if material.tone is None else material.tone.maps.get(name)
+        room = (0.0, 0.0) if texels is None else (float(texels.min()), float(texels.max()))
+        shown = screen_bytes(pixels, light, room=room)
+        tone = describe_tone(material, name, shown.span)
+        maps.append(describe_map(name, shown.pixels, light, tone))
+        notes.append({"name": name, "note": shown.note})
     tiles = describe_set(material.tiles, material.variants, seed, maps, material.tone)
     return {"maps": notes, "planes": [{"name": "tiles", "label": "Tiles", "own": True, "tiles": tiles}]}

@@ -2,19 +2,21 @@
 
 import base64
 import io
-from collections.abc import Sequence
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.shaders.mipmaps import tone_levels, tone_mean
+from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import to_linear
 
 
 def describe_map(
-    name: str, shown: NDArray[np.uint8], light: bool, tone: Sequence[NDArray[np.float16]] = ()
+    name: str, shown: NDArray[np.uint8], light: bool, tone: dict[str, Any] | None = None
 ) -> dict[str, Any]:
-    """A map's pictures, shape (rows, H, W, channels), as the page holds them; and the levels of its tone."""
+    """A map's pictures, shape (rows, H, W, channels), as the page holds them; and its `describe_tone`."""
     described: dict[str, Any] = {
         "name": name,
         "light": light,
@@ -22,15 +24,22 @@ def describe_map(
         "tiles": [encode_png(tile) for tile in shown],
     }
     if tone:
-        described["tone"] = describe_tone(tone)
+        described["tone"] = tone
     return described
 
 
-def describe_tone(levels: Sequence[NDArray[np.float16]]) -> dict[str, Any]:
-    """Mip levels of tone, one after another, as red, green, blue and 0 in half floats."""
-    values = b"".join(level.astype("<f2").tobytes() for level in levels)
+def describe_tone(material: TextureTiles, map: str, span: float = 1.0) -> dict[str, Any] | None:
+    """The tone of a map, if it has any, where ``span`` is shown from black to white.
+
+    Its mip levels one after another, as red, green, blue and 0 in half floats; and the map's mean.
+    """
+    levels = tone_levels(material, map)
+    if not levels:
+        return None
+    values = b"".join((level / np.float32(span)).astype("<f2").tobytes() for level in levels)
     height, width = levels[0].shape[:2]
-    return {"width": width, "height": height, "values": base64.b64encode(values).decode()}
+    mean = _rounded(tone_mean(material, map))
+    return {"width": width, "height": height, "mean": mean, "values": base64.b64encode(values).decode()}
 
 
 def mean_color(shown: NDArray[np.uint8], light: bool) -> list[float]:
@@ -46,7 +55,7 @@ def mean_color(shown: NDArray[np.uint8], light: bool) -> list[float]:
     return _rounded([*np.resize(color, 3), alpha.mean()])
 
 
-def _rounded(values: list[Any]) -> list[float]:
+def _rounded(values: Iterable[Any]) -> list[float]:
     return [round(float(value), 6) for value in values]
 
 

@@ -212,12 +212,13 @@ class TilePlane {
   }
 
   #useTone(camera, map, u) {
-    const { gl, lattice, tiles: { tiling: { tone } } } = this, span = BigInt(tone.span);
+    const { gl, lattice, tiles } = this, { tone } = tiles.tiling, span = BigInt(tone.span);
     const rest = (cell) => ((cell % span) + span) % span;
     gl.uniform1i(u.uToned, this.tones[map] ? 1 : 0);
     gl.activeTexture(gl.TEXTURE3);
     gl.bindTexture(gl.TEXTURE_2D, this.tones[map] ?? this.tones.find(Boolean));
     gl.uniform1i(u.uTone, 3);
+    gl.uniform3f(u.uToneMean, ...tiles.maps[map].tone?.mean ?? [0, 0, 0]);
     gl.uniform1i(u.uSpan, tone.span);
     gl.uniform1f(u.uTexel, tone.texel);
     gl.uniform2ui(u.uToneState, ...lattice.tone);

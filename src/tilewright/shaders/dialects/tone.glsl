@@ -41,10 +41,13 @@ vec3 twTone(highp sampler2D tone, vec2 p, ivec2 origin) {
   return sum / length(weights);
 }
 
-// A map's light with its tone, which is added to light as sRGB encodes it.
-vec3 twLay(vec3 light, vec3 tone) {
+// A map's light with its tone, which is added to light as sRGB encodes it; what is darker than the map's mean takes
+// less of it. Numbers, such as roughness, take tone as it is: clamp(number + twTone(...).r, 0.0, 1.0).
+vec3 twLay(vec3 light, vec3 tone, vec3 mean) {
   vec3 bent = 1.055 * pow(max(light, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
-  vec3 shown = max(mix(12.92 * light, bent, step(vec3(0.0031308), light)) + tone, vec3(0.0));
+  vec3 bare = mix(12.92 * light, bent, step(vec3(0.0031308), light));
+  vec3 share = mix(bare / max(mean, vec3(1e-6)), vec3(1.0), step(mean, bare));
+  vec3 shown = max(bare + share * tone, vec3(0.0));
   vec3 straight = pow((max(shown, vec3(0.04045)) + 0.055) / 1.055, vec3(2.4));
   return mix(shown / 12.92, straight, step(vec3(0.04045), shown));
 }

@@ -45,10 +45,13 @@ float3 TwTone(Texture2D tone, SamplerState filtering, float2 p, int2 origin) {
   return sum / length(weights);
 }
 
-// A map's light with its tone, which is added to light as sRGB encodes it.
-float3 TwLay(float3 light, float3 tone) {
+// A map's light with its tone, which is added to light as sRGB encodes it; what is darker than the map's mean takes
+// less of it. Numbers, such as roughness, take tone as it is: saturate(number + TwTone(...).r).
+float3 TwLay(float3 light, float3 tone, float3 mean) {
   float3 bent = 1.055 * pow(max(light, 0.0031308), 1.0 / 2.4) - 0.055;
-  float3 shown = max(lerp(12.92 * light, bent, step(0.0031308, light)) + tone, 0.0);
+  float3 bare = lerp(12.92 * light, bent, step(0.0031308, light));
+  float3 share = lerp(bare / max(mean, 1e-6), 1.0, step(mean, bare));
+  float3 shown = max(bare + share * tone, 0.0);
   float3 straight = pow((max(shown, 0.04045) + 0.055) / 1.055, 2.4);
   return lerp(shown / 12.92, straight, step(0.04045, shown));
 }

@@ -54,10 +54,13 @@ fn tw_tone(tone: texture_2d<f32>, filtering: sampler, p: vec2f, origin: vec2i) -
   return sum / length(weights);
 }
 
-// A map's light with its tone, which is added to light as sRGB encodes it.
-fn tw_lay(light: vec3f, tone: vec3f) -> vec3f {
+// A map's light with its tone, which is added to light as sRGB encodes it; what is darker than the map's mean takes
+// less of it. Numbers, such as roughness, take tone as it is: clamp(number + tw_tone(...).r, 0.0, 1.0).
+fn tw_lay(light: vec3f, tone: vec3f, mean: vec3f) -> vec3f {
   let bent = 1.055 * pow(max(light, vec3f(0.0031308)), vec3f(1.0 / 2.4)) - 0.055;
-  let shown = max(mix(12.92 * light, bent, step(vec3f(0.0031308), light)) + tone, vec3f(0.0));
+  let bare = mix(12.92 * light, bent, step(vec3f(0.0031308), light));
+  let share = mix(bare / max(mean, vec3f(1e-6)), vec3f(1.0), step(mean, bare));
+  let shown = max(bare + share * tone, vec3f(0.0));
   let straight = pow((max(shown, vec3f(0.04045)) + 0.055) / 1.055, vec3f(2.4));
   return mix(shown / 12.92, straight, step(vec3f(0.04045), shown));
 }

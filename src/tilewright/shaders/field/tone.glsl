@@ -1,5 +1,5 @@
 // Tone outside the tiles: patches of a small picture around the corners of a triangle of its grid, blended so that
-// their variance stays. It is added to light as sRGB encodes it.
+// their variance stays.
 
 layout(set = 0, binding = 5) uniform texture2D tone;
 layout(set = 0, binding = 6) uniform sampler mirrored;
@@ -31,9 +31,22 @@ vec3 toneAt(vec2 p, vec2 dx, vec2 dy) {
   return sum / length(weights);
 }
 
+#if defined(TONE_OF_COLOR)
+// Tone is added to light as sRGB encodes it; what is darker than the mean takes less of it.
 vec3 withTone(vec3 light, vec2 p, vec2 dx, vec2 dy) {
   vec3 bent = 1.055 * pow(max(light, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055;
-  vec3 shown = max(mix(12.92 * light, bent, step(vec3(0.0031308), light)) + toneAt(p, dx, dy), vec3(0.0));
+  vec3 bare = mix(12.92 * light, bent, step(vec3(0.0031308), light));
+  vec3 share = mix(bare / max(TONE_MEAN, vec3(1e-6)), vec3(1.0), step(TONE_MEAN, bare));
+  vec3 shown = max(bare + share * toneAt(p, dx, dy), vec3(0.0));
   vec3 straight = pow((max(shown, vec3(0.04045)) + 0.055) / 1.055, vec3(2.4));
   return mix(shown / 12.92, straight, step(vec3(0.04045), shown));
 }
+#elif defined(TONE_OF_ROUGHNESS)
+vec3 withTone(vec3 roughness, vec2 p, vec2 dx, vec2 dy) {
+  return clamp(roughness + toneAt(p, dx, dy), 0.0, 1.0);
+}
+#else
+vec3 withTone(vec3 numbers, vec2 p, vec2 dx, vec2 dy) {
+  return numbers + toneAt(p, dx, dy);
+}
+#endif

@@ -16,6 +16,7 @@ uniform uvec2 uDraw;             // hash state
 #ifdef HAS_TONE
 uniform sampler2D uTone;         // tone as a share of white
 uniform bool uToned;             // the map has any
+uniform vec3 uToneMean;          // below which tone is a factor
 uniform int uSpan;               // tiles from point to point of the tone's grid
 uniform float uTexel;            // texels of the map along one of tone
 uniform uvec2 uSquareX, uSquareY, uToneState;  // square of the grid with the origin, hash state
@@ -224,7 +225,10 @@ vec4 planeColor(vec2 p, Footprint f) {
   vec4 light = keep < 0.01 ? mean : mix(mean, integrate(p, f), keep);
   vec4 shown = toShown(light);
 #ifdef HAS_TONE
-  if (uRepeat < 0 && uToned) shown.rgb = clamp(shown.rgb + shown.a * toneAt(p, f), 0.0, shown.a);
+  if (uRepeat < 0 && uToned) {
+    vec3 mean = shown.a * uToneMean, share = mix(shown.rgb / max(mean, vec3(1e-6)), vec3(1.0), step(mean, shown.rgb));
+    shown.rgb = clamp(shown.rgb + share * shown.a * toneAt(p, f), 0.0, shown.a);
+  }
 #endif
   return shown;
 }

@@ -14,6 +14,7 @@ from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.manner import NESTED, Manner
 from tilewright.signals.textures.regularity import Regularity
 from tilewright.signals.textures.rhythm import Rhythm
+from tilewright.signals.textures.tone import TONED
 from tilewright.tiles import TileSet, classed_corner_tiles, corner_tiles
 
 SMALLEST_TILE, USUAL_TILE, LARGEST_TILE = 16, 128, 1024
@@ -109,7 +110,7 @@ def find_treatment(
     _check_tone(tone, exemplar)
     alone = len(exemplar.sources) == 1
     if tone is None:
-        tone = alone and character.has_tone and "color" in exemplar.kinds.values()
+        tone = alone and character.has_tone and _can_have_tone(exemplar)
     if not alone:
         # Two plain colors and two marked ones: of fewer, a region of one photograph has too few tiles.
         tiles = tiles or corner_tiles(4)
@@ -173,6 +174,10 @@ def _has_plain_edges(tiles: TileSet, size: int, exemplar: Exemplar) -> bool:
     return bool(minimum_filter(exemplar.masks[0], ROOM * size, mode="constant", cval=0).any())
 
 
+def _can_have_tone(exemplar: Exemplar) -> bool:
+    return any(kind in TONED for kind in exemplar.kinds.values())
+
+
 def _check_tone(tone: bool | None, exemplar: Exemplar) -> None:
     """Refuse tone where there can be none."""
     if not tone:
@@ -183,10 +188,12 @@ def _check_tone(tone: bool | None, exemplar: Exemplar) -> None:
             argument="tone",
             value=tone,
         )
-    if "color" not in exemplar.kinds.values():
+    if not _can_have_tone(exemplar):
         kinds = ", ".join(f"{name} ({kind})" for name, kind in exemplar.kinds.items())
         raise TilewrightValueError(
-            f"is True, and none of the maps holds color: {kinds}", argument="tone", value=tone
+            f"is True, and none of the maps holds color, roughness or heights: {kinds}",
+            argument="tone",
+            value=tone,
         )
 
 

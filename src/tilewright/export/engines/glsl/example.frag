@@ -2,9 +2,9 @@
 // How to use tilewright.glsl: put it here, or include it as your engine does.
 {{include}}
 uniform {{texture}} colorMap;  // linear, mipmap linear, anisotropy 8, {{edge}}
-// {{#toned}}
+// {{#color_toned}}
 uniform sampler2D colorTone;  // linear, mipmap linear, clamp to edge
-// {{/toned}}
+// {{/color_toned}}
 in vec2 uv;
 out vec4 color;
 
@@ -12,7 +12,7 @@ void main() {
   const float tiles = 8.0;  // across one unit of uv; turn y over where v points up
   TwPlace at = twFind(uv * tiles, ivec2(0));
   color = twSample(colorMap, at);
-// {{#toned}}
-  color.rgb = twLay(color.rgb, twTone(colorTone, uv * tiles, ivec2(0)));
-// {{/toned}}
+// {{#color_toned}}
+  color.rgb = twLay(color.rgb, twTone(colorTone, uv * tiles, ivec2(0)), vec3({{mean}}));
+// {{/color_toned}}
 }

@@ -2,19 +2,20 @@
 #include "tilewright.hlsl"
 
 {{texture}} colorMap : register(t0);
-// {{#toned}}
+// {{#color_toned}}
 Texture2D colorTone : register(t1);
-// {{/toned}}
+// {{/color_toned}}
 SamplerState filtering : register(s0);  // MIN_MAG_MIP_LINEAR or ANISOTROPIC, {{edge}}
 
 float4 main(float4 position : SV_Position, float2 uv : TEXCOORD0) : SV_Target {
   const float tiles = 8.0;  // across one unit of uv; turn y over where v points up
   TwPlace at = TwFind(uv * tiles, int2(0, 0));
-// {{^toned}}
+// {{^color_toned}}
   return TwSample(colorMap, filtering, at);
-// {{/toned}}
-// {{#toned}}
+// {{/color_toned}}
+// {{#color_toned}}
   float4 color = TwSample(colorMap, filtering, at);
-  return float4(TwLay(color.rgb, TwTone(colorTone, filtering, uv * tiles, int2(0, 0))), color.a);
-// {{/toned}}
+  float3 tone = TwTone(colorTone, filtering, uv * tiles, int2(0, 0));
+  return float4(TwLay(color.rgb, tone, float3({{mean}})), color.a);
+// {{/color_toned}}
 }

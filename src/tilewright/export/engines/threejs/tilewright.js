@@ -97,6 +97,13 @@ const SLOTS = {
     "reflectedLight.indirectDiffuse *= texel.r; reflectedLight.indirectSpecular *= texel.r;"],
 };
 
+/** Lays tone over a texel: over light by the map's mean, over numbers as it is. */
+function layTone(slot, mean) {
+  const tone = `twTone(tw_tone_${slot}, twPosition, twOrigin)`;
+  if (mean[0] < 0) return `texel.rgb = clamp(texel.rgb + ${tone}, 0.0, 1.0); `;
+  return `texel.rgb = twLay(texel.rgb, ${tone}, vec3(${mean.map((value) => value.toFixed(9))})); `;
+}
+
 const VERTEX = /* glsl */ `
 varying vec2 twPosition;
 uniform vec2 twRepeat, twOffset;
@@ -148,6 +155,8 @@ function showTiles(material, maps, tones, slots) {
     repeat: new THREE.Vector2(1, 1), offset: new THREE.Vector2(), origin: new THREE.Vector2(),
     relief: slots.normal ? 1 : 0.05,
   };
+  // Heights are there for their slopes, and those of tone are too gentle to be seen.
+  const toneOf = (slot) => slot === "height" ? undefined : tones[slots[slot]];
   const before = material.onBeforeCompile, key = material.customProgramCacheKey();
   material.customProgramCacheKey = () => `${key} ${LOOKUP} ${used}`;
   material.onBeforeCompile = (shader, renderer) => {
@@ -164,8 +173,8 @@ function showTiles(material, maps, tones, slots) {
     const shown = used.filter((slot) => slot === "color" || has(SLOTS[slot][0]));
     for (const slot of shown) {
       const [chunk, text] = SLOTS[slot];
-      const tone = tones[slots[slot]];
-      const lay = tone ? `texel.rgb = twLay(texel.rgb, twTone(tw_tone_${slot}, twPosition, twOrigin)); ` : "";
+      const tone = toneOf(slot);
+      const lay = tone ? layTone(slot, SET.means[slots[slot]]) : "";
       after("fragmentShader", chunk, `{ vec4 texel = twSample(tw_${slot}, twAt); ${lay}${text} }`);
       shader.uniforms[`tw_${slot}`] = { value: maps[slots[slot]] };
       if (tone) shader.uniforms[`tw_tone_${slot}`] = { value: tone };
@@ -176,7 +185,7 @@ function showTiles(material, maps, tones, slots) {
       has("normal_fragment_maps") ? "#define TW_LIT" : "",
       FRAGMENT,
       ...shown.map((slot) => `uniform highp TW_SAMPLER tw_${slot};`),
-      ...shown.filter((slot) => tones[slots[slot]]).map((slot) => `uniform highp sampler2D tw_tone_${slot};`),
+      ...shown.filter(toneOf).map((slot) => `uniform highp sampler2D tw_tone_${slot};`),
     ].join("\n"));
     after("vertexShader", "common", VERTEX);
     after("vertexShader", "uv_vertex", "twPosition = vec2(uv.x, 1.0 - uv.y) * twRepeat + twOffset;");

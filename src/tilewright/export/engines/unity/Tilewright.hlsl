@@ -19,10 +19,10 @@ float3 TwToneUp(Texture2D tone, SamplerState filtering, float2 position, float2 
   return TwTone(tone, filtering, float2(position.x, -position.y), (int2)round(origin));
 }
 
-// Function name: TilewrightTone; a map's color with its tone
+// Function name: TilewrightTone; the map of color with its tone. Other maps' means are in tilewright.json.
 void TilewrightTone_float(UnityTexture2D Tone, float4 Color, float2 Position, float2 Origin, out float4 Toned) {
   float3 tone = TwToneUp(Tone.tex, Tone.samplerstate, Position, Origin);
-  Toned = float4(TwLay(Color.rgb, tone), Color.a);
+  Toned = float4(TwLay(Color.rgb, tone, float3({{mean}})), Color.a);
 }
 
 // {{/toned}}
