@@ -166,3 +166,18 @@ def test_every_set_gets_a_report_and_a_sheet(tmp_path, tiles, kind):
     assert all(name in str(report) for name in report.figures)
     report.save_sheet(tmp_path / "sheet.png")
     assert tw.read_image(tmp_path / "sheet.png").shape[2] in (3, 4)
+
+
+def test_a_sheet_has_room_for_its_pictures():
+    """However long the objections are; photograph and plane have one scale."""
+    report = tw.analyze(handmade(tw.corner_tiles(2), 16), cells=6)
+    poor = {"low_contrast": 0.3, "recurrence": 13.0, "lattice_spikes": 0.1, "mean_difference": 9.0}
+    report = dataclasses.replace(report, figures=report.figures | poor)
+    assert len(" ".join(report.objections)) > 150
+    figure = report.sheet()
+    figure.draw_without_rendering()
+    photograph, near, cut = figure.axes[:3]
+    assert min(axis.get_position().width for axis in figure.axes) > 0.2
+    assert photograph.get_xlim() == near.get_xlim() == cut.get_xlim()
+    numbers = [text.get_text() for text in figure.axes[4].texts]
+    assert numbers == [str(tile) for tile in range(16)]

@@ -1,13 +1,15 @@
 """All figures of a tile set, and a sheet of pictures to judge it by eye."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from textwrap import wrap
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.analysis.sheets import check_sheet
 from tilewright.analysis.textures.looks import measure_looks
+from tilewright.analysis.textures.patches import named_pieces
 from tilewright.analysis.textures.repetition import lattice_share, same_place_share, tile_lag_autocorrelation
 from tilewright.analysis.textures.sample import Sample, lay_sample
 from tilewright.analysis.textures.seams import (
@@ -28,9 +30,12 @@ from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import to_lab
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 ANY = (float("-inf"), float("inf"))
+MOST_SHOWN = 81
+"""Tiles that a sheet has room for."""
 
 
 class Meaning(NamedTuple):
@@ -168,20 +173,20 @@ class Report:
         return ANY if name in WITHOUT_LIMIT.get(treatment, ()) else MEANING[name].limits
 
     def sheet(self) -> "Figure":
-        """Draw photograph, tiles, plane near and far, and cut lines beside the figures.
+        """Draw photograph, tiles, plane near and far, and cut lines with names of patches beside the figures.
 
         Returns
         -------
         matplotlib.figure.Figure
-            A sheet of 15 x 10 inches.
+            A sheet of 16 x 10 inches.
         """
         from matplotlib.figure import Figure
 
         sample, n = self.sample, self.sample.size
         picture = _shown(sample.shown.astype(np.float32), sample.material)
         photo = _shown(sample.material.sources[0][sample.material.main].astype(np.float32), sample.material)
-        figure = Figure(figsize=(15, 10), layout="constrained")
-        axes = figure.subplots(2, 3).ravel()
+        figure = Figure(figsize=(16, 10), layout="constrained")
+        axes = figure.subplots(2, 3, width_ratios=(1, 1, 1.2)).ravel()
         near = picture[: 4 * n, : 4 * n]
         lines = near.copy()
         east, south = sample.cuts
@@ -191,9 +196,9 @@ class Report:
         lines[marked[: 4 * n, : 4 * n]] = (1, 0, 0.4)
         step = max(1, picture.shape[0] // 1024)
         contents = (
-            ("photograph", photo),
+            ("the photograph, as large as the plane beside it", photo[: 4 * n, : 4 * n]),
             ("the endless plane, 4 x 4 tiles", near),
-            ("its cut lines", lines),
+            ("its cut lines, tiles and patches", lines),
             (f"from afar, {sample.cells.shape[0]} x {sample.cells.shape[1]} tiles", _reduce(picture, step)),
             ("the tiles", _tiles(sample)),
         )
@@ -201,8 +206,21 @@ class Report:
             axis.imshow(image, interpolation="antialiased")
             axis.set_title(title, fontsize=10)
             axis.set_axis_off()
+        for axis in axes[:3]:
+            axis.set(xlim=(-0.5, 4 * n - 0.5), ylim=(4 * n - 0.5, -0.5))
+        for row, column in np.ndindex(4, 4):
+            tile = int(sample.material.variants.tiles[sample.cells[row, column]])
+            _write(axes[2], str(tile), row * n, column * n, weight="bold", ha="left", va="top")
+        for piece in named_pieces(sample, 4):
+            _write(axes[2], piece.name, piece.y, piece.x, ha="center", va="center")
+        for tile, (y, x) in enumerate(_squares(sample)):
+            _write(axes[4], str(tile), y, x, weight="bold", ha="left", va="top")
         axes[-1].set_axis_off()
-        axes[-1].text(0, 1, str(self), family="monospace", fontsize=7, va="top", transform=axes[-1].transAxes)
+        told = "\n".join(line for long in str(self).splitlines() for line in wrap(long, 105))
+        text = axes[-1].text(
+            0, 1, told, family="monospace", fontsize=6, va="top", transform=axes[-1].transAxes
+        )
+        text.set_in_layout(False)
         return figure
 
     def save_sheet(self, path: AnyPath) -> None:
@@ -299,17 +317,24 @@ def _reduce(picture: NDArray[np.float32], step: int) -> NDArray[np.float32]:
     return picture[:h, :w].reshape(h // step, step, w // step, step, 3).mean(axis=(1, 3))
 
 
-def _tiles(sample: Sample) -> NDArray[np.float32]:
-    """The first tiles of the set, with gaps between them."""
-    tiles = _shown(
-        sample.material.pixels[:81].astype(np.float32).reshape(-1, *sample.material.pixels.shape[2:]),
-        sample.material,
-    )
-    n, gap = sample.size, max(2, sample.size // 16)
-    count = len(tiles) // n
+def _write(axis: "Axes", text: str, y: float, x: float, **how: Any) -> None:
+    """A small label that is read on any picture."""
+    label = axis.text(x, y, text, fontsize=4.5, color="black", **how)
+    label.set_bbox({"facecolor": "white", "alpha": 0.6, "edgecolor": "none", "pad": 0.4})
+
+
+def _squares(sample: Sample) -> list[tuple[int, int]]:
+    """Where the sheet shows the first tiles of the set: (y, x) of their north-west corners, with gaps."""
+    count = min(len(sample.material.tiles), MOST_SHOWN)
+    step = sample.size + max(2, sample.size // 16)
     side = int(np.ceil(np.sqrt(count)))
-    sheet = np.ones((side * (n + gap), side * (n + gap), 3), np.float32)
-    for t in range(count):
-        y, x = (t // side) * (n + gap), (t % side) * (n + gap)
-        sheet[y : y + n, x : x + n] = tiles[t * n : (t + 1) * n]
+    return [(t // side * step, t % side * step) for t in range(count)]
+
+
+def _tiles(sample: Sample) -> NDArray[np.float32]:
+    """The first picture of each of the first tiles, with gaps between them."""
+    n, places = sample.size, _squares(sample)
+    sheet = np.ones((places[-1][0] + n, max(x for _, x in places) + n, 3), np.float32)
+    for (y, x), row in zip(places, sample.material.variants.starts, strict=False):
+        sheet[y : y + n, x : x + n] = _shown(sample.material.pixels[row].astype(np.float32), sample.material)
     return sheet
