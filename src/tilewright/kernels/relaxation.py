@@ -1,4 +1,4 @@
-"""Relaxation over the pixels of tiles, whose borders meet those of other tiles."""
+"""Cuts, bands and relaxation over the pixels of tiles, whose borders meet those of other tiles."""
 
 import numpy as np
 
@@ -49,3 +49,34 @@ def grow_tiles(first, last, near, beside, out):
                 left = row[x - 1] if x > 0 else west[y, n - 1]
                 right = row[x + 1] if x < n - 1 else east[y, 0]
                 grown[x] = row[x] | left | right | above[x] | below[x]
+
+
+@kernel(parallel=True)
+def find_cuts(first, last, origins, beside, sizes, out):
+    """Which neighbors a pixel does not continue though both could go on in their sources.
+
+    origins : uint16 (T, n, n, 3), (source, y, x). beside : as in `relax_tiles`. sizes : int64 (sources, 2),
+    height and width. out : uint8 (T, n, n), filled: bits 0 to 3 for the neighbors east, west, south, north.
+    """
+    n = origins.shape[1]
+    for t in range(first, last):
+        for y in range(n):
+            for x in range(n):
+                bits = 0
+                here = origins[t, y, x]
+                for side in range(4):
+                    dx, dy = (side == 0) - (side == 1), (side == 2) - (side == 3)
+                    row, column, tile = y + dy, x + dx, t
+                    if not (0 <= row < n and 0 <= column < n):
+                        tile, row, column = beside[side, t], row % n, column % n
+                    there = origins[tile, row, column]
+                    on_y, on_x = np.int64(here[1]) + dy, np.int64(here[2]) + dx
+                    back_y, back_x = np.int64(there[1]) - dy, np.int64(there[2]) - dx
+                    if here[0] == there[0] and on_y == there[1] and on_x == there[2]:
+                        continue
+                    ours, theirs = sizes[here[0]], sizes[there[0]]
+                    if not (0 <= on_y < ours[0] and 0 <= on_x < ours[1]):
+                        continue
+                    if 0 <= back_y < theirs[0] and 0 <= back_x < theirs[1]:
+                        bits |= 1 << side
+                out[t, y, x] = bits

@@ -57,7 +57,7 @@ def lay_diamonds_with_centers(
         # Step 3: a patch of the tile's own over their seams, as corner tiles have (Lagae & Dutré 2006, 5.1).
         shown = [samples.in_tile(frame, side, slots) for side in range(4)]
         openings.append(center_opening(search, frame, canvas, (0,), shown))
-    return lay_centers(search, openings, variants)
+    return lay_centers(search, openings.__getitem__, len(openings), variants)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Where in the exemplar is a patch that would fit here? Weighted squared distance at every place."""
 
 from collections.abc import Iterable, Sequence
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -32,7 +32,7 @@ class Matcher:
         self.step = max(1, size // 32)
         self._tone_sigma = tone_sigma
         self.blocks = cut_into_blocks(sheet.usable.shape, size)
-        self._block = lru_cache(BLOCKS_HELD)(self._prepare_block)
+        self._held: dict[int, tuple[WindowDistance, WindowDistance]] = {}
         self._places: dict[tuple[int, ...], NDArray[np.bool_]] = {}
 
     @cached_property
@@ -74,12 +74,19 @@ class Matcher:
         top, left, height, width = self.blocks[block]
         return slice(top, top + height - self.size + 1), slice(left, left + width - self.size + 1)
 
-    def _prepare_block(self, block: int) -> tuple["WindowDistance", "WindowDistance"]:
-        top, left, height, width = self.blocks[block]
-        part = slice(top, top + height), slice(left, left + width)
-        return WindowDistance(self.sheet.features[part]), WindowDistance(
-            reduce_blocks(self.tone_pixels[part], self.step)
-        )
+    def _block(self, block: int) -> tuple["WindowDistance", "WindowDistance"]:
+        """What compares with the windows of a block; of those used last a few are kept."""
+        # A cache of functools would hold this object in a circle, and the sheet until that is collected.
+        ready = self._held.pop(block, None)
+        if ready is None:
+            if len(self._held) == BLOCKS_HELD:
+                del self._held[next(iter(self._held))]
+            top, left, height, width = self.blocks[block]
+            part = slice(top, top + height), slice(left, left + width)
+            tone = reduce_blocks(self.tone_pixels[part], self.step)
+            ready = WindowDistance(self.sheet.features[part]), WindowDistance(tone)
+        self._held[block] = ready
+        return ready
 
     def distances(
         self, block: int, canvas: Patchwork, weight: NDArray[np.float32]

@@ -8,7 +8,7 @@ tile but its border. Corner content then recurs with probability 1/C, edge conte
 with 1/C^4.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from tilewright.signals.textures.corners import choose_corners, choose_meeting_corners
 from tilewright.signals.textures.frame import Frame, shared_border
-from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, stack
+from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork
 from tilewright.signals.textures.plan import Edge, Plan
 from tilewright.signals.textures.search import (
     FURTHER_CANDIDATES,
@@ -57,12 +57,13 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, varian
         canvas, places = lay_edge(search, frame, plan, edge, corners, seen)
         edges.append(canvas)
         edge_places.append(places)
-    openings = []
-    for tile, sides in enumerate(plan.tile_edges):
-        canvas = join_edges(frame, [edges[e] for e in sides])
+
+    def opening_of(tile: int) -> Opening:
+        canvas = join_edges(frame, [edges[e] for e in plan.tile_edges[tile]])
         shown = shown_in_tile(frame, plan, tile, corners, edge_places)
-        openings.append(center_opening(search, frame, canvas, plan.sources_of_tile(tile), shown))
-    return lay_centers(search, openings, variants)
+        return center_opening(search, frame, canvas, plan.sources_of_tile(tile), shown)
+
+    return lay_centers(search, opening_of, len(plan.tile_edges), variants)
 
 
 def overlap_of(search: PatchSearch) -> int:
@@ -75,24 +76,27 @@ def corner_reach(search: PatchSearch) -> int:
     return search.size // 2 + overlap_of(search)
 
 
-def lay_centers(search: PatchSearch, openings: Sequence[Opening], variants: int) -> Patchwork:
+def lay_centers(
+    search: PatchSearch, opening_of: Callable[[int], Opening], count: int, variants: int
+) -> Patchwork:
     """Give each tile as many patches of its own as there are variants, over what it shares with others.
 
     The first variants of all tiles come first, so that they are the pictures of a set without variants; the
-    result is in order of tiles.
+    result is in order of tiles. Openings are made when they are needed, for memory.
     """
     centers: list[Place] = []
-    rows: dict[tuple[int, int], Patchwork] = {}
+    rows, columns = np.empty((2, count, variants, search.size, search.size), np.int32)
     for variant in range(variants):
-        for tile, opening in enumerate(openings):
+        for tile in range(count):
             name = f"center:{tile}:{variant}" if variant else f"center:{tile}"
-            waiting = replace(opening, earlier=centers)
+            waiting = replace(opening_of(tile), earlier=centers)
             if variant:
                 # What all of them bar is then no larger a part of the exemplar than without variants.
                 waiting = replace(waiting, candidates=FURTHER_CANDIDATES, spacing=variants**-0.5)
-            rows[tile, variant], place = search.lay(name, waiting)
+            canvas, place = search.lay(name, waiting)
+            rows[tile, variant], columns[tile, variant] = canvas.rows, canvas.columns
             centers.append(place)
-    return stack([rows[key] for key in sorted(rows)])
+    return Patchwork(*(part.reshape(-1, search.size, search.size) for part in (rows, columns)))
 
 
 def lay_edge(

@@ -92,7 +92,9 @@ def mend_normals(pixels: NDArray[Any], kind: str, name: str) -> NDArray[Any]:
     tolerance = 0.008 if pixels.dtype == np.uint8 else 1e-3
     off = np.abs(length - 1) > tolerance
     mended = pixels.copy()
-    mended[off] = from_values(to_values(pixels, kind), kind, pixels)[off]
+    signed = is_signed(pixels)
+    bad = pixels[off][:, np.newaxis]
+    mended[off] = from_values(to_values(bad, kind, signed), kind, pixels, signed)[:, 0]
     return mended
 
 

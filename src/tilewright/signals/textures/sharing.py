@@ -73,7 +73,8 @@ class Shared:
             mean = level.mean(axis=0, keepdims=True, dtype=np.float64).astype(np.float32)
             return np.broadcast_to(mean, level.shape), _is_same(level, mean)
         settled = level.copy()
-        self._settle_edges(level, rim, settled)
+        self._settle_edges(level, rim, settled, "W", "E")
+        self._settle_edges(level, rim, settled, "N", "S")
         self._settle_corners(level, rim, settled)
         same = _is_same(level, settled)
         return (level if same else settled), same
@@ -81,27 +82,34 @@ class Shared:
     def settle_border(self, level: Values) -> None:
         """Let the outermost pixels of tiles depend on shared colors alone, in place."""
         n = level.shape[1]
-        corners = level[:, :: n - 1, :: n - 1].copy()
-        settled = corners.copy()
-        self._settle_corners(corners, Rim(2, 0, None), settled)
-        self._settle_edges(level, Rim(n, 0, None), level)
-        level[:, :: n - 1, :: n - 1] = settled
+        columns, rows = level[:, :, :: n - 1], level[:, :: n - 1]
+        self.settle_strips(columns, rows)
 
-    def _settle_edges(self, level: Values, rim: Rim, out: Values) -> None:
-        last = rim.count - 1
-        for near, far, axis in (("W", "E", 2), ("N", "S", 1)):
-            # Texels after the border, from tiles with that edge at their near side; and those before it.
-            texels, filled = np.moveaxis(level, axis, 0), np.moveaxis(out, axis, 0)
-            colors = 1 + int(max(self.edges[near].max(), self.edges[far].max()))
-            after = _means(texels[rim.within], self.edges[near], colors)
-            before = _means(texels[last - rim.within], self.edges[far], colors)
-            if rim.beyond == rim.within:
-                after = before = np.mean((after, before), axis=0)
-            filled[rim.within] = after[self.edges[near]]
-            filled[last - rim.within] = before[self.edges[far]]
-            if rim.beyond is not None:
-                filled[rim.beyond] = before[self.edges[near]]
-                filled[last - rim.beyond] = after[self.edges[far]]
+    def settle_strips(self, columns: Values, rows: Values) -> None:
+        """The same of the outermost columns, shape (T, n, 2, channels), and rows, (T, 2, n, channels)."""
+        n, rim = columns.shape[1], Rim(2, 0, None)
+        corners = columns[:, :: n - 1].copy()
+        settled = corners.copy()
+        self._settle_corners(corners, rim, settled)
+        self._settle_edges(columns, rim, columns, "W", "E")
+        self._settle_edges(rows, rim, rows, "N", "S")
+        columns[:, :: n - 1] = settled
+        rows[:, :, :: n - 1] = settled
+
+    def _settle_edges(self, level: Values, rim: Rim, out: Values, near: str, far: str) -> None:
+        last, axis = rim.count - 1, 2 if near == "W" else 1
+        # Texels after the border, from tiles with that edge at their near side; and those before it.
+        texels, filled = np.moveaxis(level, axis, 0), np.moveaxis(out, axis, 0)
+        colors = 1 + int(max(self.edges[near].max(), self.edges[far].max()))
+        after = _means(texels[rim.within], self.edges[near], colors)
+        before = _means(texels[last - rim.within], self.edges[far], colors)
+        if rim.beyond == rim.within:
+            after = before = np.mean((after, before), axis=0)
+        filled[rim.within] = after[self.edges[near]]
+        filled[last - rim.within] = before[self.edges[far]]
+        if rim.beyond is not None:
+            filled[rim.beyond] = before[self.edges[near]]
+            filled[last - rim.beyond] = after[self.edges[far]]
 
     def _settle_corners(self, level: Values, rim: Rim, out: Values) -> None:
         last = rim.count - 1
@@ -144,7 +152,8 @@ def _across(corner: str, row: bool, column: bool) -> str:
 def _means(texels: Values, groups: Colors, count: int) -> Values:
     """Mean over the tiles of each group, shape (count, ...); 0 for groups without a tile."""
     total = np.zeros((count, *texels.shape[1:]), np.float64)
-    np.add.at(total, groups, texels)
+    for group, texel in zip(groups, texels, strict=True):  # numpy's add.at takes ten times as long
+        total[group] += texel
     tiles = np.maximum(np.bincount(groups, minlength=count), 1)
     return (total / tiles.reshape(-1, *(1,) * (texels.ndim - 1))).astype(np.float32)
 

@@ -1,6 +1,6 @@
 """All sources of an exemplar on one sheet of features, the coordinates synthesis works in."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -19,6 +19,10 @@ GRAIN = 1 / 64
 """Standard deviation of the Gaussian in which grain is not seen, in tiles."""
 SMOOTH = 4.0
 """Variances up to which contrast is grain, over the median of the photograph's."""
+COARSE = 4
+"""Pixels of a Gaussian's standard deviation that are enough to find a guided filter by."""
+ROWS = 64
+"""Rows that are worked on at once, for memory."""
 FLAT = 0.01
 """Contrast that is none, in standard deviations of the photograph: drawings are flat nearly everywhere."""
 
@@ -76,7 +80,7 @@ class Sheet:
     @cached_property
     def outlines(self) -> NDArray[np.float32]:
         """How much more contrast there is around each pixel than is usual; 0 within things."""
-        contrast = np.sqrt(sum_channels(_variance(self.features, 3)))
+        contrast = np.sqrt(sum(_variances(self.features, 3), np.zeros((1, 1, 1), np.float32))[..., 0])
         usual = max(float(np.median(contrast[self.usable])), FLAT)
         return np.asarray(np.maximum(contrast / np.float32(usual) - 1, 0), np.float32)
 
@@ -151,28 +155,51 @@ def blur(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
     return image
 
 
-def without_grain(image: NDArray[np.float32], sigma: float) -> NDArray[np.float32]:
-    """An image without what varies within a Gaussian of ``sigma`` pixels, but with its outlines.
+def without_grain(image: NDArray[np.float32], sigma: float) -> Iterator[tuple[slice, NDArray[np.float32]]]:
+    """An image without what varies within a Gaussian of ``sigma`` pixels, but with its outlines: row by row.
 
     A guided filter (He, Sun & Tang 2010), the image its own guide. A Gaussian would mix a joint with the
-    stones beside it, and a cut along the joint would cost as much as one through them.
+    stones beside it, and a cut along the joint would cost as much as one through them. What it is made of is
+    smooth, and where the Gaussian is wide, found on a smaller image (He & Sun 2015).
     """
-    side = 2 * max(1, round(1.5 * sigma)) + 1
-    variance = _variance(image, side)
+    step = max(1, int(sigma / COARSE))
+    small = reduce_blocks(image, step) if step > 1 else image
+    side = 2 * max(1, round(1.5 * sigma / step)) + 1
+    variance = np.concatenate(list(_variances(small, side)), axis=2)
     usual = np.median(variance, axis=(0, 1)).astype(np.float32)
     kept = np.asarray(variance / (variance + np.float32(SMOOTH) * usual + np.float32(1e-6)), np.float32)
-    rest = (1 - kept) * _mean(image, side)
-    return np.asarray(_mean(kept, side) * image + _mean(rest, side), np.float32)
+    rest = (1 - kept) * _mean(small, side)
+    factor, offset = (enlarged(_mean(part, side), step, image.shape[0], 0) for part in (kept, rest))
+    for top in range(0, image.shape[0], ROWS):
+        rows = slice(top, top + ROWS)
+        wide, more = (enlarged(part[rows], step, image.shape[1], 1) for part in (factor, offset))
+        yield rows, np.asarray(wide * image[rows] + more, np.float32)
+
+
+def enlarged(image: NDArray[np.float32], step: int, count: int, axis: int) -> NDArray[np.float32]:
+    """``count`` pixels along an axis where ``step`` were one: linear interpolation between their middles."""
+    if step == 1:
+        return image
+    at = (np.arange(count) + 0.5) / step - 0.5
+    first = np.floor(at).astype(int)
+    share = (at - first).astype(np.float32).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
+    last = image.shape[axis] - 1
+    low, high = (np.take(image, np.clip(n, 0, last), axis) for n in (first, first + 1))
+    return np.asarray(low + share * (high - low), np.float32)
 
 
 def _mean(image: NDArray[np.float32], side: int) -> NDArray[np.float32]:
     return np.asarray(uniform_filter(image, (side, side, 1), mode="nearest"))
 
 
-def _variance(image: NDArray[np.float32], side: int) -> NDArray[np.float32]:
-    """Of each channel, in squares of ``side`` pixels."""
-    middle = image - image.mean(axis=(0, 1))  # far from 0, squares would lose their last digits
-    return np.maximum(_mean(middle * middle, side) - _mean(middle, side) ** 2, 0)
+def _variances(image: NDArray[np.float32], side: int) -> Iterator[NDArray[np.float32]]:
+    """Of each channel, in squares of ``side`` pixels; one after the other, for memory."""
+    middle = image.mean(axis=(0, 1))  # far from 0, squares would lose their last digits
+    for channel, mean in enumerate(middle):
+        values = image[..., channel : channel + 1] - mean
+        spread = _mean(values * values, side)
+        spread -= _mean(values, side) ** 2
+        yield np.maximum(spread, 0)
 
 
 def make_sheet(exemplar: Exemplar, breadth: float = 0.0, size: int = 0) -> Sheet:
@@ -190,17 +217,17 @@ def make_sheet(exemplar: Exemplar, breadth: float = 0.0, size: int = 0) -> Sheet
     sizes = tuple(next(iter(s.values())).shape[:2] for s in exemplar.sources)
     tops = tuple(int(t) for t in np.cumsum([0, *(h for h, _ in sizes[:-1])]))
     shape = (sum(h for h, _ in sizes), max(w for _, w in sizes))
-    seen = [
-        [_perceived(pixels, exemplar.kinds[name], breadth, GRAIN * size) for name, pixels in maps.items()]
-        for maps in exemplar.sources
-    ]
-    channels = [pixels.shape[2] for pixels in seen[0]]
+    channels = [pixels.shape[2] for pixels in exemplar.sources[0].values()]
     features = np.zeros((*shape, sum(channels)), np.float32)
     usable = np.zeros(shape, bool)
-    for top, (h, w), maps, mask in zip(tops, sizes, seen, exemplar.masks, strict=True):
-        features[top : top + h, :w] = np.concatenate(maps, axis=2)
+    for top, (h, w), maps, mask in zip(tops, sizes, exemplar.sources, exemplar.masks, strict=True):
         usable[top : top + h, :w] = mask
-        maps.clear()  # for memory
+        start = 0
+        for name, pixels in maps.items():
+            stop = start + pixels.shape[2]
+            seen = features[top : top + h, :w, start:stop]
+            _perceive(pixels, exemplar.kinds[name], breadth, GRAIN * size, seen)
+            start = stop
     start = 0
     for name, count in zip(exemplar.sources[0], channels, strict=True):
         stop = start + count
@@ -221,15 +248,25 @@ def _usable(features: NDArray[np.float32], usable: NDArray[np.bool_]) -> NDArray
     return features.reshape(usable.size, -1) if usable.all() else features[usable]
 
 
-def _perceived(pixels: NDArray[Any], kind: str, breadth: float, grain: float) -> NDArray[np.float32]:
-    """Values whose differences are about what the eye sees: linear light is bent as sRGB bends it."""
-    values = pixels.astype(np.float32)
+def _perceive(
+    pixels: NDArray[Any], kind: str, breadth: float, grain: float, out: NDArray[np.float32]
+) -> None:
+    """Fill in values whose differences are about what the eye sees, a few rows at a time."""
+    for top in range(0, len(out), ROWS):
+        rows = slice(top, top + ROWS)
+        out[rows] = _bent(pixels[rows], kind, breadth > 0)
     if breadth:
-        if kind == "color":
-            alpha = values[..., -1:] * np.float32(100 / white(pixels.dtype))
-            values = to_lab(pixels, kind)
-            values = np.concatenate([values, alpha], axis=2) if has_alpha(pixels.shape[2]) else values
-        return values + np.float32(breadth) * without_grain(values, grain)
+        for rows, broad in without_grain(out, grain):
+            out[rows] += np.float32(breadth) * broad
+
+
+def _bent(pixels: NDArray[Any], kind: str, in_lab: bool) -> NDArray[np.float32]:
+    """Linear light is bent as sRGB bends it, or all color as the eye does."""
+    if kind == "color" and in_lab:
+        alpha = pixels[..., -1:].astype(np.float32) * np.float32(100 / white(pixels.dtype))
+        lab = to_lab(pixels, kind)
+        return np.concatenate([lab, alpha], axis=2) if has_alpha(pixels.shape[2]) else lab
+    values = pixels.astype(np.float32)
     if kind == "color" and pixels.dtype.kind == "f":
         return np.sign(values) * np.abs(values) ** np.float32(1 / 2.2)
     return values
@@ -241,11 +278,17 @@ def _condense(features: NDArray[np.float32], usable: NDArray[np.bool_]) -> NDArr
     Sums are taken channel by channel, not by a matrix product, whose order depends on the number of threads.
     """
     count = features.shape[2]
+    means = sum(
+        (_rows(features, usable, top).sum(axis=0, dtype=np.float64) for top in range(0, len(features), ROWS)),
+        np.zeros(count),
+    ) / np.count_nonzero(usable)
     covariance = np.zeros((count, count))
-    for a in range(count):  # two at a time, for memory
-        first = _centered(features[..., a][usable])
-        for b in range(a + 1):
-            covariance[a, b] = covariance[b, a] = (first * _centered(features[..., b][usable])).sum()
+    for top in range(0, len(features), ROWS):
+        centered = _rows(features, usable, top) - means
+        for a in range(count):
+            for b in range(a + 1):
+                covariance[a, b] += (centered[:, a] * centered[:, b]).sum()
+    covariance += np.tril(covariance, -1).T
     _, axes = np.linalg.eigh(covariance)
     out = np.zeros((*features.shape[:2], MOST_FEATURES), np.float32)
     for component in range(MOST_FEATURES):
@@ -254,5 +297,7 @@ def _condense(features: NDArray[np.float32], usable: NDArray[np.bool_]) -> NDArr
     return out
 
 
-def _centered(values: NDArray[np.float32]) -> NDArray[np.float64]:
-    return values - values.mean(dtype=np.float64)
+def _rows(features: NDArray[np.float32], usable: NDArray[np.bool_], top: int) -> NDArray[np.float32]:
+    """The features of usable pixels in a few rows, shape (n, channels)."""
+    rows = slice(top, top + ROWS)
+    return features[rows][usable[rows]]

@@ -63,4 +63,4 @@ def lay_ng(search: PatchSearch, plan: Plan, rng: np.random.Generator, variants: 
         shown = shown_in_tile(frame, plan, tile, corners, [[] for _ in edges])
         # Step 5: which an irregular patch covers, found and cut by graph cut (Kwatra et al. 2003).
         openings.append(Opening(canvas, state, even(frame), plan.sources_of_tile(tile), shown))
-    return lay_centers(search, openings, variants)
+    return lay_centers(search, openings.__getitem__, len(openings), variants)

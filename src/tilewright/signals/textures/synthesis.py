@@ -175,6 +175,7 @@ def synthesize(
             raise TilewrightValueError(
                 f"no patch is called {min(unknown)!r}; this set has {', '.join(sorted(ledger.laid)[:6])}, ..."
             )
+        del search, seen  # for memory
         origins = sheet.to_origins(canvas.rows, canvas.columns)
         recipe = Recipe(
             method,
@@ -190,7 +191,7 @@ def synthesize(
             lone,
         )
         # Step 4: every map along the same cuts.
-        del canvas, search, sheet, seen  # for memory
+        del canvas, sheet  # for memory
         rows = Variants.uniform(tiles, variants)
         maps = copy_maps(held.sources, origins, exemplar.kinds, tiles, rows, progress)
         return TextureTiles(

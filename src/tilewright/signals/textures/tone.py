@@ -19,6 +19,7 @@ from scipy.ndimage import distance_transform_edt, gaussian_filter
 from tilewright.pixels import has_alpha
 from tilewright.signals.textures.exemplar import Exemplar, Maps
 from tilewright.signals.textures.kinds import to_encoded, to_linear
+from tilewright.signals.textures.sheet import ROWS, enlarged
 
 Texels = NDArray[np.float32]
 
@@ -40,8 +41,6 @@ passes that to within 0.06; laid as wide as it is taken, a fifth of the contrast
 missing."""
 TINY = np.float32(1e-6)
 """In place of a mean of 0, where that would divide."""
-ROWS = 64
-"""Rows of a photograph that lose their tone at once, for memory."""
 SPREAD = 4
 """Grid points along the shorter side of a photograph: a patch is half as wide as that."""
 
@@ -199,23 +198,13 @@ def _without(
     """Pixels less their tone, a few rows at a time: those that are the photograph's once it is laid again."""
     texels = np.where(mean > 0, np.maximum(texels, (LEAST - 1) / STRENGTH * mean), texels)
     rest = np.empty_like(pixels)
-    texels = _enlarged(texels, texel, pixels.shape[0], 0)
+    texels = enlarged(texels, texel, pixels.shape[0], 0)
     for top in range(0, len(rest), ROWS):
         rows = slice(top, top + ROWS)
-        tone = _enlarged(texels[rows], texel, pixels.shape[1], 1)
+        tone = enlarged(texels[rows], texel, pixels.shape[1], 1)
         bare = _bare(encoded(pixels[rows], kind), np.float32(STRENGTH) * tone, mean)
         rest[rows] = _as_stored(bare, pixels, kind)
     return rest
-
-
-def _enlarged(texels: Texels, texel: int, count: int, axis: int) -> NDArray[np.float32]:
-    """``count`` pixels along an axis, between the middles of texels, by linear interpolation."""
-    at = (np.arange(count) + 0.5) / texel - 0.5
-    first = np.floor(at).astype(int)
-    share = (at - first).astype(np.float32).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
-    last = texels.shape[axis] - 1
-    low, high = (np.take(texels, np.clip(n, 0, last), axis) for n in (first, first + 1))
-    return np.asarray(low + share * (high - low), np.float32)
 
 
 def is_linear_light(pixels: NDArray[Any], kind: str) -> bool:
