@@ -61,7 +61,7 @@ def synthesize(
         Corner, corner-coded or Wang tiles; by default `classed_corner_tiles` that suit the exemplar.
     tile_size : int or "auto", optional
         Pixels along a tile, even, 16 to 1,024; with ``"faithful"`` by default what suits the exemplar: about
-        an eighth of its shorter side, at least 128 where it has 512, larger for things with outlines, and a
+        an eighth of its shorter side, at least 160 where it has 512, larger for things with outlines, and a
         whole number of courses where it has any; with other methods 128. ``"auto"`` takes for these a
         size near 128 that is a whole number of the exemplar's periods.
     seed : int, optional

@@ -20,6 +20,10 @@ from tilewright.tiles import TileSet, classed_corner_tiles, corner_tiles
 SMALLEST_TILE, USUAL_TILE, LARGEST_TILE = 16, 128, 1024
 LARGER = 1.5
 """Tiles of things and of courses over those of other photographs: large things stay whole."""
+WIDER = 1.25
+"""Tiles of even photographs over the usual ones, up to `USUAL_TILE`. Two blind looks at six photographs gave
+7.0 near and 7.1 from afar, in place of 6.2 and 6.8 at the usual size: less is cut, and twins lie farther
+apart. At 1.5 they gave 6.9 and 6.9, as what is in rows shows from afar. Larger tiles would take too long."""
 FITTING = 0.004
 """The same below which no size fits better than another, so that the nearest to the usual one is taken."""
 CANDIDATES = 8
@@ -136,7 +140,8 @@ def find_treatment(
         whole = _keep_whole(tiles, size, exemplar, CORE)
         manner = replace(whole, plainness=(0.5, 0.3, 0.15), popping=1.0)
         return Treatment("things", tiles, size, tone, manner)
-    size = tile_size or usual
+    wider = round(WIDER * usual) if SMALLEST_TILE < usual <= USUAL_TILE else usual
+    size = tile_size or wider
     manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, RECURRENCE, True)
     return Treatment("even", tiles or _classed(size), size, tone, manner)
 
