@@ -150,7 +150,7 @@ _TONED = {
   more.tex = tone;
   more.samplerstate = filtering;
   float4 toned;
-  TilewrightTone_float(more, color, float2(p.x, -p.y), (float2)cell, toned);
+  TilewrightTone_float(more, color, float3({mean}), float2(p.x, -p.y), (float2)cell, toned);
   return toned;""",
         """[[vk::binding(3, 0)]] Texture2D tone;
 struct UnityTexture2D { Texture2D tex; SamplerState samplerstate; };""",

@@ -61,4 +61,6 @@ def _float_bytes(pixels: NDArray[np.float32], light: bool, room: tuple[float, fl
     if light:
         color[...] = to_encoded(color)
     shown = np.rint(values * 255).astype(np.uint8)
-    return Shown(shown, f"float, shown from {low:.4g} to {high:.4g}", 1.0 if light else high - low)
+    return Shown(
+        shown, f"float, shown from {low:.4g} to {high:.4g}", high ** (1 / 2.4) if light else high - low
+    )

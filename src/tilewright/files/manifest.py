@@ -20,7 +20,7 @@ from tilewright.tiles.variants import NUMBER_BITS, Variants, check_variants
 
 SCHEMA, VARIANTS_SCHEMA, TONE_SCHEMA, NEWEST_SCHEMA = 2, 3, 4, 5
 """What is written; where variants ask for it, of a texture any, of points those with weights; where there is
-tone; where tone is a factor below a mean."""
+tone; where tone is a factor below a mean, or lies over other maps than color."""
 _DROPPED_BY_SYSTEMS = {".DS_Store", "Thumbs.db", "desktop.ini"}
 
 

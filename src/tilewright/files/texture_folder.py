@@ -121,7 +121,8 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
 def _schema(material: TextureTiles) -> int:
     """The oldest that tells all of a material."""
     if material.tone is not None:
-        return NEWEST_SCHEMA if material.tone.means else TONE_SCHEMA
+        numbers = any(material.kinds[name] != "color" for name in material.tone.maps)
+        return NEWEST_SCHEMA if material.tone.means or numbers else TONE_SCHEMA
     return SCHEMA if len(material.variants) == len(material.tiles) else VARIANTS_SCHEMA
 
 
@@ -155,7 +156,8 @@ def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
     tone = None
     if manifest.tone is not None:
         toned = {n: _texels(n, image(f), maps) for n, f in manifest.tone.maps.items()}
-        means = {n: _mean(n, mean, toned) for n, mean in manifest.tone.means.items()}
+        colors = {n: texels for n, texels in toned.items() if kinds.get(n, "color") == "color"}
+        means = {n: _mean(n, mean, colors) for n, mean in manifest.tone.means.items()}
         tone = Tone(size, manifest.tone.span, toned, means)
     return TextureTiles(tiles, maps, sources, origins, manifest.recipe, masks, kinds, variants, tone)
 
@@ -170,10 +172,10 @@ def _texels(name: str, texels: NDArray[Any], maps: dict[str, NDArray[Any]]) -> N
     return texels
 
 
-def _mean(name: str, mean: list[float], toned: dict[str, NDArray[np.float32]]) -> NDArray[np.float32]:
-    """The mean of a map that has tone, a number for each channel."""
-    channels = toned[name].shape[2] if name in toned else 0
-    if len(mean) != channels or not all(0 <= value < np.inf for value in mean):
+def _mean(name: str, mean: list[float], colors: dict[str, NDArray[np.float32]]) -> NDArray[np.float32]:
+    """The mean of a map of color that has tone, a number for each channel."""
+    channels = colors[name].shape[2] if name in colors else 0
+    if not channels or len(mean) != channels or not all(0 <= value < np.inf for value in mean):
         raise TilewrightFileError(f"mean of {name} is {mean}; expected {channels} finite numbers from 0 on")
     return np.array(mean, np.float32)
 

@@ -33,7 +33,7 @@ def add_texels(first, last, texels, mean, texel, left, top, highest, out):
             for c in range(channels):
                 value = line[column, c] + share * (line[column + 1, c] - line[column, c])
                 shown = np.float32(out[i, j, c])
-                if shown < mean[c]:
+                if mean[c] > 0 and shown < mean[c]:
                     value *= shown / mean[c]
                 value += shown
                 if highest > 0:

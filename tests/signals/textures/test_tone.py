@@ -136,7 +136,7 @@ def test_sets_of_older_folders_keep_their_bytes(toned, tmp_path):
     assert np.corrcoef((plane - bare).ravel(), laid.maps["albedo"][rows][:, columns].ravel())[0, 1] > 0.95
 
 
-@pytest.mark.parametrize("mean", [[1.0], [1.0, 2.0, -3.0], [1.0, 2.0, 1e999]])
+@pytest.mark.parametrize("mean", [[], [1.0], [1.0, 2.0, -3.0], [1.0, 2.0, 1e999]])
 def test_means_that_cannot_be_are_refused(toned, tmp_path, mean):
     tw.save(toned, tmp_path / "set")
     file = tmp_path / "set" / "tileset.json"
@@ -226,6 +226,35 @@ def test_dark_pixels_keep_their_hue(kind):
     plane = tw.TextureField(material, tw.direct(material.tiles, seed=5)).render(0, 0, 800, 800)
     shown = plane / 255 if kind == np.uint8 else to_encoded(plane)
     assert np.maximum(0, shown[..., 2] - shown[..., 0]).mean() < 0.0008
+
+
+def test_heights_below_zero_take_tone_as_an_offset(cloudy):
+    heights = (cloudy[..., :1] - np.float32(120)) / np.float32(30)
+    material = tw.texture_tiles({"height": heights}, tone=True, tile_size=32, seed=1)
+    plane = tw.TextureField(material, tw.direct(material.tiles, seed=5)).render(0, 0, 800, 800)
+    assert np.isfinite(plane).all()
+    assert plane.std() == pytest.approx(heights.std(), rel=0.2)
+    assert plane.min() > heights.min() - 2
+
+
+def test_roughness_in_floats_is_of_the_photograph(cloudy):
+    rough = cloudy[..., :1] / np.float32(255)
+    rough[::7, ::5] = 0.02
+    material = tw.texture_tiles({"roughness": rough}, tone=True, tile_size=32, seed=1)
+    assert material.pixels.min() < 0  # dark specks, less their tone
+    plane = tw.TextureField(material, tw.direct(material.tiles, seed=5)).render(0, 0, 800, 800)
+    assert (plane == 1).mean() < 1e-3
+    assert plane.mean() == pytest.approx(rough.mean(), abs=0.03)
+
+
+def test_light_below_zero_is_none(cloudy, tmp_path):
+    """Maps of unknown names are taken for color, heights around 0 too."""
+    light = (cloudy.astype(np.float32) - 100) / 100
+    material = tw.texture_tiles(light, tone=True, tile_size=32, seed=1)
+    tw.save(material, tmp_path / "set")
+    again = tw.load(tmp_path / "set")
+    plane = tw.TextureField(again, tw.direct(again.tiles, seed=5)).render(0, 0, 1200, 1200)
+    assert np.abs(plane.mean(axis=(0, 1)) - np.maximum(light, 0).mean(axis=(0, 1))).max() < 0.05
 
 
 def test_what_leaves_the_tiles_comes_back(cloudy):

@@ -62,7 +62,7 @@ def write(folder: Path, kit: Kit) -> None:
             "Tilewright Material: Tiles is the number of tiles across one unit of UV. "
             "Height and opacity are not wired.",
             "Shader Graph: a Custom Function node of type File with Tilewright.hlsl; functions "
-            f"Tilewright{', TilewrightTone (of the map of color)' if tones else ''} and TilewrightNormal. "
+            f"Tilewright{', TilewrightTone (Mean: tilewright.json)' if tones else ''} and TilewrightNormal. "
             "In the Built-in pipeline include Tilewright.hlsl yourself.",
             "Textures are .twdds, DDS by another name, so that the importer in Editor keeps their mip "
             "levels.",

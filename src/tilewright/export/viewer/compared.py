@@ -44,7 +44,7 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
         if isinstance(one.field, TextureField):
             tiles = one.field.material
             shown = _shown_tiles(tiles, name, photo)
-            tone = describe_tone(tiles, name)
+            tone = describe_tone(tiles, name, screen_bytes(tiles.maps[name], light).span)
             plane["tiles"] = describe_set(
                 tiles.tiles, tiles.variants, seed, [describe_map(name, shown, light, tone)], tiles.tone
             )

@@ -38,7 +38,7 @@ def describe_tone(material: TextureTiles, map: str, span: float = 1.0) -> dict[s
         return None
     values = b"".join((level / np.float32(span)).astype("<f2").tobytes() for level in levels)
     height, width = levels[0].shape[:2]
-    mean = _rounded(tone_mean(material, map))
+    mean = _rounded(value / span for value in tone_mean(material, map))
     return {"width": width, "height": height, "mean": mean, "values": base64.b64encode(values).decode()}
 
 

@@ -1,5 +1,5 @@
 
-// Colors that vary over more than a tile: patches of a small picture of them (half floats, filtered as the maps
+// What varies over more than a tile: patches of a small picture of it (half floats, filtered as the maps
 // are; clamp) around the corners of a triangle of their grid, blended so that their variance stays.
 
 // Square of the grid that holds a cell, along one axis.
@@ -24,7 +24,7 @@ vec3 twPatch(highp sampler2D tone, vec2 at, vec2 dx, vec2 dy) {
   return textureGrad(tone, min(folded, 2.0 - folded), dx, dy).rgb;
 }
 
-// Tone at p, around 0, in sRGB. Call it where all fragments of a quad do.
+// Tone at p, around 0, of colors in sRGB. Call it where all fragments of a quad do.
 vec3 twTone(highp sampler2D tone, vec2 p, ivec2 origin) {
   vec2 size = vec2(textureSize(tone, 0)), scale = {{tone_texels}} / size, cell = floor(p);
   vec2 dx = dFdx(p) * scale, dy = dFdy(p) * scale;

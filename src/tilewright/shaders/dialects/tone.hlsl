@@ -1,5 +1,5 @@
 
-// Colors that vary over more than a tile: patches of a small picture of them (half floats, filtered as the maps
+// What varies over more than a tile: patches of a small picture of it (half floats, filtered as the maps
 // are; clamp) around the corners of a triangle of their grid, blended so that their variance stays.
 
 // Square of the grid that holds a cell, along one axis.
@@ -24,7 +24,7 @@ float3 TwPatch(Texture2D tone, SamplerState filtering, float2 at, float2 dx, flo
   return tone.SampleGrad(filtering, min(folded, 2.0 - folded), dx, dy).rgb;
 }
 
-// Tone at p, around 0, in sRGB.
+// Tone at p, around 0, of colors in sRGB.
 float3 TwTone(Texture2D tone, SamplerState filtering, float2 p, int2 origin) {
   uint2 texels;
   tone.GetDimensions(texels.x, texels.y);

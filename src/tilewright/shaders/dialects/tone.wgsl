@@ -1,5 +1,5 @@
 
-// Colors that vary over more than a tile: patches of a small picture of them (half floats, filtered as the maps
+// What varies over more than a tile: patches of a small picture of it (half floats, filtered as the maps
 // are; clamp) around the corners of a triangle of their grid, blended so that their variance stays.
 
 // Square of the grid that holds a cell, along one axis.
@@ -29,7 +29,7 @@ fn tw_patch(tone: texture_2d<f32>, filtering: sampler, at: vec2f, dx: vec2f, dy:
   return textureSampleGrad(tone, filtering, min(folded, 2.0 - folded), dx, dy).rgb;
 }
 
-// Tone at p, around 0, in sRGB. Call it where all fragments of a quad do (uniform control flow).
+// Tone at p, around 0, of colors in sRGB. Call it where all fragments of a quad do (uniform control flow).
 fn tw_tone(tone: texture_2d<f32>, filtering: sampler, p: vec2f, origin: vec2i) -> vec3f {
   let texels = textureDimensions(tone);
   let size = vec2f(texels);

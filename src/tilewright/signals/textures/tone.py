@@ -213,8 +213,8 @@ def is_linear_light(pixels: NDArray[Any], kind: str) -> bool:
 
 
 def encoded(pixels: NDArray[Any], kind: str) -> NDArray[Any]:
-    """Numbers that tone is added to: sRGB, which linear light is turned into."""
-    return to_encoded(pixels) if is_linear_light(pixels, kind) else pixels
+    """Numbers that tone is added to: sRGB, which linear light is turned into; below 0 there is no light."""
+    return np.maximum(to_encoded(pixels), 0) if is_linear_light(pixels, kind) else pixels
 
 
 def _bare(shown: NDArray[Any], tone: Texels, mean: NDArray[np.float32]) -> NDArray[np.float32]:

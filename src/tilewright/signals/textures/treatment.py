@@ -140,7 +140,7 @@ def find_treatment(
         whole = _keep_whole(tiles, size, exemplar, CORE)
         manner = replace(whole, plainness=(0.5, 0.3, 0.15), popping=1.0)
         return Treatment("things", tiles, size, tone, manner)
-    wider = round(WIDER * usual) if SMALLEST_TILE < usual <= USUAL_TILE else usual
+    wider = round(WIDER * usual) if tiles is None and SMALLEST_TILE < usual <= USUAL_TILE else usual
     size = tile_size or wider
     manner = Manner(CANDIDATES, EXCLUSION, (1.0, 0.7, 0.3), 1.0, RECURRENCE, True)
     return Treatment("even", tiles or _classed(size), size, tone, manner)

@@ -158,7 +158,8 @@ function showTiles(material, maps, tones, slots) {
   // Heights are there for their slopes, and those of tone are too gentle to be seen.
   const toneOf = (slot) => slot === "height" ? undefined : tones[slots[slot]];
   const before = material.onBeforeCompile, key = material.customProgramCacheKey();
-  material.customProgramCacheKey = () => `${key} ${LOOKUP} ${used}`;
+  const means = used.map((slot) => toneOf(slot) ? SET.means[slots[slot]] : null);
+  material.customProgramCacheKey = () => `${key} ${LOOKUP} ${used} ${JSON.stringify(means)}`;
   material.onBeforeCompile = (shader, renderer) => {
     before.call(material, shader, renderer);
     const has = (chunk) => shader.fragmentShader.includes(`#include <${chunk}>`);

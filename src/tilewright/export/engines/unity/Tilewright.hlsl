@@ -19,10 +19,12 @@ float3 TwToneUp(Texture2D tone, SamplerState filtering, float2 position, float2 
   return TwTone(tone, filtering, float2(position.x, -position.y), (int2)round(origin));
 }
 
-// Function name: TilewrightTone; the map of color with its tone. Other maps' means are in tilewright.json.
-void TilewrightTone_float(UnityTexture2D Tone, float4 Color, float2 Position, float2 Origin, out float4 Toned) {
+// Function name: TilewrightTone; what a map holds with its tone. Mean is the map's in sRGB, {{mean}} of the map of
+// color and for others in tilewright.json; -1 for numbers such as roughness.
+void TilewrightTone_float(
+    UnityTexture2D Tone, float4 Color, float3 Mean, float2 Position, float2 Origin, out float4 Toned) {
   float3 tone = TwToneUp(Tone.tex, Tone.samplerstate, Position, Origin);
-  Toned = float4(TwLay(Color.rgb, tone, float3({{mean}})), Color.a);
+  Toned = float4(Mean.x < 0.0 ? saturate(Color.rgb + tone) : TwLay(Color.rgb, tone, Mean), Color.a);
 }
 
 // {{/toned}}
