@@ -140,6 +140,24 @@ def test_the_page_lays_the_tone_that_python_lays(open_page, span):
     assert np.array_equal(shown, field.render(*origin(state, 32), *shown.shape[1::-1], map="map1"))
 
 
+def test_roughness_below_zero_stretches_nothing(open_page):
+    """Tiles of floats have it where dark specks lost their tone."""
+    material = of_numbers(
+        under_clouds(handmade(tw.classed_corner_tiles(2, 5), 32, np.float32), 2), "roughness"
+    )
+    specks = {
+        name: np.where(pixels < 0.41, np.float32(-0.1), pixels) for name, pixels in material.maps.items()
+    }
+    material = dataclasses.replace(material, maps=specks)
+    page = open_page(material, seed=7)
+    state = view(page, seed="7", cellX="-3", cellY="5", pixelsPerTile=32)
+    shown = read(page).astype(int)
+    field = tw.TextureField(material, tw.direct(material.tiles, 7))
+    wanted = 255 * field.render(*origin(state, 32), shown.shape[1], shown.shape[0])
+    assert np.median(np.abs(shown - wanted)) <= 1
+    assert (np.abs(shown - wanted) > 2).mean() < 0.12  # the specks
+
+
 @pytest.mark.parametrize("kind", [np.uint8, np.float32])
 def test_the_page_lays_the_tone_of_heights(open_page, kind):
     """In floats they reach beyond 1, and the page shows what their tone needs too."""

@@ -47,7 +47,8 @@ def write(folder: Path, kit: Kit) -> None:
     for name in ("tilewright.gdshader", "project.godot", "example.tscn"):
         (folder / name).write_text(fill(f"godot/{name}", **values), encoding="utf-8")
     (folder / "tilewright.gdshaderinc").write_text(kit.lookup("godot"), encoding="utf-8")
-    (folder / "material.tres").write_text(_material(kit, files, tones), encoding="utf-8")
+    laid = {slot: tones[map] for slot, map in toned.items()}
+    (folder / "material.tres").write_text(_material(kit, files, laid), encoding="utf-8")
     finish(
         kit,
         folder,
@@ -90,15 +91,11 @@ def _image(number: int, levels: list[NDArray[Any]]) -> str:
     )
 
 
-def _material(kit: Kit, files: dict[str, str], tones: dict[str, str]) -> str:
-    """The ShaderMaterial."""
+def _material(kit: Kit, files: dict[str, str], laid: dict[str, str]) -> str:
+    """The ShaderMaterial; ``laid`` has the file of each slot's tone."""
     kind = "Texture2DArray" if kit.form == "array" else "Texture2D"
     used = [(slot, f"{slot}_map", kind, files[map]) for slot, map in kit.slots.items() if slot != "height"]
-    used += [
-        (f"{slot}_tone", f"{slot}_tone", "Texture2D", tones[map])
-        for slot, map in kit.toned_slots.items()
-        if slot != "height"
-    ]
+    used += [(f"{slot}_tone", f"{slot}_tone", "Texture2D", file) for slot, file in laid.items()]
     lines = [
         f'[gd_resource type="ShaderMaterial" load_steps={len(used) + 2} format=3]\n',
         '[ext_resource type="Shader" path="res://tilewright.gdshader" id="shader"]',

@@ -43,8 +43,8 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
         plane: dict[str, Any] = {"name": one.name, "label": one.label}
         if isinstance(one.field, TextureField):
             tiles = one.field.material
-            shown = _shown_tiles(tiles, name, photo)
-            tone = describe_tone(tiles, name, screen_bytes(tiles.maps[name], light).span)
+            shown, span = _shown_tiles(tiles, name, photo)
+            tone = describe_tone(tiles, name, span)
             plane["tiles"] = describe_set(
                 tiles.tiles, tiles.variants, seed, [describe_map(name, shown, light, tone)], tiles.tone
             )
@@ -60,13 +60,13 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
     }
 
 
-def _shown_tiles(tiles: TextureTiles, name: str, photo: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Tiles in the bytes of the photograph; where tone is laid over them, what they hold."""
+def _shown_tiles(tiles: TextureTiles, name: str, photo: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], float]:
+    """Tiles in the bytes of the photograph; where tone is laid over them, what they hold. And their span."""
     if tiles.tone is None:
-        return copy_from_sources(({name: photo},), tiles.origins)[name]
+        return copy_from_sources(({name: photo},), tiles.origins)[name], 1.0
     light = tiles.kinds[name] == "color"
-    shown = screen_bytes(tiles.maps[name], light).pixels
-    return np.ascontiguousarray(without_alpha(shown)) if light else shown
+    shown, _, span = screen_bytes(tiles.maps[name], light)
+    return np.ascontiguousarray(without_alpha(shown)) if light else shown, span
 
 
 def _describe_photo(photo: NDArray[np.uint8], light: bool) -> dict[str, Any]:

@@ -148,6 +148,8 @@ def _describe(material: TextureTiles, seed: int) -> dict[str, Any]:
     maps, notes = [], []
     for name, pixels in material.maps.items():
         light = material.kinds[name] == "color"
+        if material.kinds[name] == "roughness" and pixels.dtype.kind == "f":
+            pixels = pixels.clip(0, 1)  # dark specks are below 0 until tone is laid
         texels = None if material.tone is None else material.tone.maps.get(name)
         room = (0.0, 0.0) if texels is None else (float(texels.min()), float(texels.max()))
         shown = screen_bytes(pixels, light, room=room)
