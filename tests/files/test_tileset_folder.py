@@ -12,6 +12,7 @@ import pytest
 import tilewright as tw
 from handmade import handmade
 from tilewright.errors import TilewrightError
+from tilewright.files import exchange
 from tilewright.files import images, manifest as files_manifest
 
 SETS = [
@@ -193,6 +194,7 @@ def test_the_old_folder_comes_back_when_the_new_one_cannot_take_its_name(tmp_pat
             raise OSError(28, "No space left on device")
         rename(source, target)
 
+    monkeypatch.setattr(exchange, "exchange", lambda one, other: False)
     monkeypatch.setattr(os, "replace", fail)
     with pytest.raises(TilewrightError, match="no space left"):
         tw.save(handmade(tw.corner_tiles(1)), tmp_path / "set")

@@ -1,18 +1,19 @@
 """Files and folders that stand whole or not at all: written under another name, then renamed."""
 
 import os
-import shutil
-import tempfile
-import warnings
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from tilewright.checks import check_type
-from tilewright.errors import (
-    TilewrightFileError,
-    TilewrightValueError,
-    TilewrightWarning,
+from tilewright.errors import TilewrightFileError, TilewrightValueError
+from tilewright.files.exchange import put_folder
+from tilewright.files.leftovers import (
+    name_for_replaced,
+    remove,
+    sweep,
+    unfinished_file,
+    unfinished_folder,
 )
 
 AnyPath = str | os.PathLike[str]
@@ -44,6 +45,8 @@ def _explained(path: Path) -> Iterator[None]:
     except TilewrightFileError:
         raise
     except OSError as error:
+        if error.errno is None:  # not the system's word about a file: a library that cannot be loaded
+            raise
         reason = (error.strerror or str(error)).lower()
         raise TilewrightFileError(f"{path} could not be written: {reason}", value=path) from None
     except ValueError as error:
@@ -53,32 +56,58 @@ def _explained(path: Path) -> Iterator[None]:
 
 
 def _real(path: Path) -> Path:
-    """Where ``path`` leads, links followed; its parent must be there."""
+    """Where ``path`` leads, links followed; the nearest folder above that is there can be written in."""
     real = Path(os.path.realpath(path))
-    if not real.parent.is_dir():
+    above = next(folder for folder in real.parents if os.path.lexists(folder))
+    if not above.is_dir():
+        raise TilewrightFileError(f"{path} could not be written: {above} is not a folder", value=path)
+    if not os.access(above, os.W_OK | os.X_OK):
+        raise TilewrightFileError(f"{path} could not be written: no permission in {above}", value=path)
+    try:
+        str(real).encode()
+    except UnicodeEncodeError:
         raise TilewrightFileError(
-            f"{path} could not be written: the folder {real.parent} does not exist", value=path
-        )
+            f"{path} could not be written: it lies in {str(real.parent)!r}, which is not a name in UTF-8",
+            value=path,
+            advice="rename that folder",
+        ) from None
     return real
 
 
 @contextmanager
+def _parents(folder: Path) -> Iterator[None]:
+    """The folder with all those above it; what was made is gone again where the block fails."""
+    missing = [above for above in (folder, *folder.parents) if not above.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        yield
+    except BaseException:
+        for above in missing:
+            with suppress(OSError):
+                above.rmdir()
+        raise
+
+
+@contextmanager
 def whole_file(path: AnyPath) -> Iterator[Path]:
-    """Yield a name to write to; it becomes ``path`` when the block ends well, and is gone otherwise."""
+    """Yield a name to write to; it becomes ``path`` when the block ends well, and is gone otherwise.
+
+    Folders above that are missing are made.
+    """
     path = as_path(path)
     with _explained(path):
         real = check_file(path)
-        handle, name = tempfile.mkstemp(prefix=".unfinished-", suffix=path.suffix, dir=real.parent)
-        os.close(handle)
-        unfinished = Path(name)
-        try:
-            yield unfinished
-            os.chmod(unfinished, 0o666 & ~_umask())
-            os.replace(unfinished, real)
-        except TilewrightFileError as error:
-            raise TilewrightFileError(str(error).replace(str(unfinished), str(path)), value=path) from None
-        finally:
-            unfinished.unlink(missing_ok=True)
+        with _parents(real.parent):
+            sweep(real.parent)
+            unfinished = unfinished_file(real.parent, path.suffix)
+            try:
+                yield unfinished
+                os.chmod(unfinished, 0o666 & ~_umask())
+                os.replace(unfinished, real)
+            except TilewrightFileError as error:
+                raise _renamed(error, unfinished, path) from None
+            finally:
+                unfinished.unlink(missing_ok=True)
 
 
 def check_file(path: Path) -> Path:
@@ -93,7 +122,7 @@ def check_file(path: Path) -> Path:
 
 
 def _check_outside(path: Path, real: Path) -> None:
-    for folder in real.parents[:2]:
+    for folder in real.parents:
         if (folder / MANIFEST).exists():
             raise TilewrightFileError(
                 f"{path} lies in the tile-set folder {folder}", value=path, advice="choose a place outside it"
@@ -104,20 +133,32 @@ def _check_outside(path: Path, real: Path) -> None:
 def whole_folder(path: AnyPath, objection: Callable[[Path], str]) -> Iterator[Path]:
     """Yield a new folder to fill; it becomes ``path`` when the block ends well, and is gone otherwise.
 
-    A folder that is there already and is not empty is replaced, unless there is an ``objection``.
+    A folder that is there already and is not empty is replaced, unless there is an ``objection``; there is
+    no moment in which neither has the name, where the system can exchange names. Folders above that are
+    missing are made.
     """
     path = as_path(path)
     with _explained(path):
         real = check_folder(path, objection)
-        unfinished = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=real.parent))
-        try:
-            yield unfinished
-            os.chmod(unfinished, 0o777 & ~_umask())
-            _put(unfinished, real)
-        except TilewrightFileError as error:
-            raise TilewrightFileError(str(error).replace(str(unfinished), str(path)), value=path) from None
-        finally:
-            shutil.rmtree(unfinished, ignore_errors=True)
+        with _parents(real.parent):
+            sweep(real.parent)
+            unfinished = unfinished_folder(real.parent)
+            replaced = name_for_replaced(unfinished)
+            try:
+                yield unfinished
+                os.chmod(unfinished, 0o777 & ~_umask())
+                check_folder(path, objection)  # others may have put something there meanwhile
+                put_folder(unfinished, real, replaced)
+            except TilewrightFileError as error:
+                raise _renamed(error, unfinished, path) from None
+            finally:
+                remove(unfinished)
+                remove(replaced)
+
+
+def _renamed(error: TilewrightFileError, unfinished: Path, path: Path) -> TilewrightFileError:
+    """An error that names what the user named."""
+    return TilewrightFileError(str(error).replace(str(unfinished), str(path)), value=path)
 
 
 def check_folder(path: Path, objection: Callable[[Path], str]) -> Path:
@@ -129,34 +170,7 @@ def check_folder(path: Path, objection: Callable[[Path], str]) -> Path:
         _check_outside(path, real)
         if real.is_dir() and any(real.iterdir()) and (reason := objection(real)):
             raise TilewrightFileError(f"{path} {reason}", value=path, advice="choose a new folder")
-        if not os.access(real.parent, os.W_OK):
-            raise TilewrightFileError(
-                f"{path} could not be written: no permission in {real.parent}", value=path
-            )
     return real
-
-
-def _put(new: Path, path: Path) -> None:
-    """Give a folder its name; one that had the name is removed afterwards, or gets it back."""
-    if not path.exists():
-        os.replace(new, path)
-        return
-    old = Path(tempfile.mkdtemp(prefix=".replaced-", dir=path.parent))
-    try:
-        os.replace(path, old / path.name)
-        try:
-            os.replace(new, path)
-        except BaseException:
-            os.replace(old / path.name, path)
-            raise
-    finally:
-        shutil.rmtree(old, ignore_errors=True)
-        if old.exists():
-            warnings.warn(
-                f"parts of the old set could not be removed; they are in {old}",
-                TilewrightWarning,
-                stacklevel=4,
-            )
 
 
 def _umask() -> int:

@@ -119,12 +119,15 @@ def _read_text(path: Path) -> bytes:
         ) from None
 
 
-def find_objection(folder: Path) -> str:
-    """Why a folder must not be replaced by a tile set; nothing where it may."""
+def find_objection(folder: Path, signal: str) -> str:
+    """Why a folder must not be replaced by a tile set of that signal; nothing where it may."""
     try:
-        ours = {MANIFEST, *read_head(folder / MANIFEST).checksums}
+        head = read_head(folder / MANIFEST)
     except TilewrightFileError:
         return f"holds other things and no {MANIFEST} of this program"
+    if head.signal != signal:
+        return f"holds tiles of signal {head.signal!r}, which tiles of signal {signal!r} never replace"
+    ours = {MANIFEST, *head.checksums}
     for path in sorted(folder.rglob("*")):
         if path.is_dir() and not os.access(path, os.R_OK | os.W_OK | os.X_OK):
             return f"holds {path.relative_to(folder).as_posix()}, which cannot be read and replaced"

@@ -4,6 +4,7 @@ The format is described in ``docs/tileset-folder.md``.
 """
 
 import os
+from functools import partial
 
 from tilewright.checks import check_type
 from tilewright.errors import TilewrightError, TilewrightFileError
@@ -18,15 +19,15 @@ from tilewright.signals.textures import TextureTiles
 def save(material: TextureTiles | PointTiles, folder: AnyPath) -> None:
     """Write texture tiles or point tiles to a folder, whole or not at all.
 
-    A folder that holds a tile set and nothing else is replaced; any other one that is not empty is
-    refused.
+    A folder that holds a tile set of the same signal and nothing else is replaced; any other one that is not
+    empty is refused. Folders above that are missing are made.
 
     Parameters
     ----------
     material : TextureTiles or PointTiles
         What is to be stored.
     folder : str or path-like
-        Where it is to be stored; the folder above must be there.
+        Where it is to be stored.
 
     Raises
     ------
@@ -46,16 +47,17 @@ def save(material: TextureTiles | PointTiles, folder: AnyPath) -> None:
     (256, 32.0)
     """
     check_type("material", material, (TextureTiles, PointTiles), "TextureTiles or PointTiles")
-    with whole_folder(folder, find_objection) as unfinished:
+    signal = "texture" if isinstance(material, TextureTiles) else "points"
+    with whole_folder(folder, partial(find_objection, signal=signal)) as unfinished:
         if isinstance(material, TextureTiles):
             write_texture(unfinished, material)
         else:
             write_point_tiles(unfinished, material)
 
 
-def check_savable(folder: AnyPath) -> None:
+def check_savable(folder: AnyPath, signal: str) -> None:
     """Raise what `save` would raise before it writes anything, so that it is known before long work."""
-    check_folder(as_path(folder), find_objection)
+    check_folder(as_path(folder), partial(find_objection, signal=signal))
 
 
 def load(folder: AnyPath) -> TextureTiles | PointTiles:

@@ -91,7 +91,7 @@ class PointsJob(Job):
         check_point_file(self.output)
         check_choice("method", self.method, (*TILE_METHODS, *METHODS))
         if self.save is not None:
-            check_savable(self.save)
+            check_savable(self.save, "points")
         sampled = self.tiles is None and self.method in METHODS
         result, total, promised = self._sample(progress) if sampled else self._lay(progress)
         write_points(self.output, result, total)

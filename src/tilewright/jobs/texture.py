@@ -130,7 +130,7 @@ class TextureJob(Job):
 
         started = time.perf_counter()
         folder = self.output or self.like or Path("tiles")
-        check_savable(folder)
+        check_savable(folder, "texture")
         material = self._make(progress)
         save(material, folder)
         seconds = time.perf_counter() - started
