@@ -108,7 +108,7 @@ def test_help_names_an_example_and_the_call(capsys):
         assert f"Example: tilewright {command}" in " ".join(out.out.split())
         assert "Calls tilewright." in out.out
         assert "--json" in out.out
-        assert "--seed" in out.out
+        assert ("--seed" if command in ("texture", "analyze", "pack") else "--lattice-seed") in out.out
 
 
 def test_completion_names_the_options_of_a_command():
@@ -139,10 +139,10 @@ REFUSED = {
     "tiles": (("texture", "PHOTO", "--tiles", "hex"), "--tiles is 'hex'"),
     "reject alone": (("texture", "PHOTO", "--reject", "center:0"), "give it with --from"),
     "no folder": (("render", "none", "-o", "a.png", "--width", "5", "--height", "5"), "is not a folder"),
-    "no width": (("render", "none", "-o", "a.png"), "--width"),
+    "seed of nothing": (("render", "none", "-o", "a.png", "--seed", "2"), "--lattice-seed gives another"),
     "no command": (("paint",), "paint"),
     "suffix": (("pack", "-o", "a.txt"), "allowed are .npy"),
-    "where": (("texture", "PHOTO", "--tile-size", "32", "-o", "none/set"), "does not exist"),
+    "where": (("texture", "PHOTO", "--tile-size", "32", "-o", "PHOTO/set"), "is not a folder"),
 }
 
 
@@ -150,7 +150,7 @@ REFUSED = {
 def test_refusals_are_one_line_and_exit_with_2(photo, tmp_path, monkeypatch, capsys, case):
     arguments, message = REFUSED[case]
     monkeypatch.chdir(tmp_path)
-    code, out = call(*(photo if a == "PHOTO" else a for a in arguments), capture=capsys)
+    code, out = call(*(a.replace("PHOTO", str(photo)) for a in arguments), capture=capsys)
     assert code == 2
     assert out.out == ""
     assert message in out.err

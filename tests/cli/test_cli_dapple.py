@@ -26,7 +26,7 @@ def made(tmp_path, capsys):
     """The tiling that the command writes, and what it reports."""
 
     def make(*arguments):
-        call("-o", tmp_path / "cells.npy", "--json", *arguments)
+        call("-o", tmp_path / "cells.npy", "--force", "--json", *arguments)
         return np.load(tmp_path / "cells.npy"), json.loads(capsys.readouterr().out)
 
     return make

@@ -45,7 +45,7 @@ REFUSED = {
     "twice": (("texture", "g.png", "-o", "t", "--map", "albedo=g.png"), "albedo is given twice"),
     "from and more": (("texture", "--from", "set", "-o", "t", "--seed", 9), "--seed has no use with --from"),
     "method": (("texture", "g.png", "-o", "t", "--method", ""), "method is ''"),
-    "sheet": (("analyze", "set", "-o", "notes"), "the sheet's suffix is ''"),
+    "sheet": (("analyze", "set", "-o", "sheet"), "the sheet's suffix is ''"),
     "sheet kind": (("analyze", "set", "-o", "a.npy"), "the sheet's suffix is '.npy'"),
     "into the set": (("render", "set", "-o", "set/albedo/00.png", "--width", 9, "--height", 9),
                      "lies in the tile-set folder"),

@@ -12,8 +12,7 @@ import pytest
 import tilewright as tw
 from handmade import handmade
 from tilewright.errors import TilewrightError
-from tilewright.files import exchange
-from tilewright.files import images, manifest as files_manifest
+from tilewright.files import exchange, images, manifest as files_manifest
 
 SETS = [
     tw.corner_tiles(2),

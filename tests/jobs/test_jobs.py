@@ -122,7 +122,8 @@ def test_a_job_can_be_stopped_and_leaves_nothing(tmp_path, gravel):
 def test_files_are_refused_before_the_work(tmp_path):
     with pytest.raises(TilewrightError, match=r"ends in '\.txt'; allowed are"):
         jobs.PackJob(output=tmp_path / "a.txt", colors=8).run()
-    with pytest.raises(TilewrightError, match="does not exist"):
+    (tmp_path / "none").write_text("")
+    with pytest.raises(TilewrightError, match="none is not a folder"):
         jobs.FlowJob(output=tmp_path / "none" / "a.gif").run()
 
 

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Json, argument, option
+from tilewright.cli.options import Force, Json, argument, option
 from tilewright.cli.performing import perform
 
 
@@ -32,6 +32,7 @@ def command(
     seed: Annotated[
         int, option("--seed", help="Seed of the tilings that are measured, from 0 on; default 0.")
     ] = 0,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Measure a tile set or a file of points: seams and repetition, or spacing and spectrum.

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Json, argument, option
+from tilewright.cli.options import Force, Json, argument, option
 from tilewright.cli.performing import perform
 
 
@@ -42,6 +42,7 @@ def command(
         str, option(help="What the colors of your own set are on: wang (default), corner or corner-coded.")
     ] = "wang",
     seed: Annotated[int, option("--seed", help="Which of the tilings, from 0 on; default 0.")] = 0,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Tile the plane with an aperiodic set and draw it, or draw the set; or list the sets.

@@ -3,20 +3,20 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Json, option
+from tilewright.cli.options import Force, Json, option
 from tilewright.cli.performing import perform
 
 
 def command(
     output: Annotated[
-        Path,
+        Path | None,
         option(
             "-o",
             "--output",
             help="Picture FILE.png or .tif, drawing FILE.svg, tiles FILE.npy, or a folder of all maps; "
             "default wall.png.",
         ),
-    ] = Path("wall.png"),
+    ] = None,
     width: Annotated[
         int | None,
         option(help="Width in cells, each as large as a brick is on average; default 12, or the region's."),
@@ -83,6 +83,7 @@ def command(
     seed: Annotated[
         int, option("--seed", help="Seed of the wall and of how bricks look, from 0 on; default 0.")
     ] = 0,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Lay a wall of bricks and draw it: lit, as a folder of maps, or as SVG; or write its tiles.

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Json, Seed, option, parse_list
+from tilewright.cli.options import Force, Json, Seed, option, parse_list
 from tilewright.cli.performing import perform
 
 
@@ -20,6 +20,7 @@ def command(
     list_methods: Annotated[bool, option("--list", help="Only list the methods.")] = False,
     sets: Annotated[int, option(help="Number of point sets of each method; default 10.")] = 10,
     seed: Seed = 0,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Compare methods for blue-noise points: radius, spectrum, zone plate and time.

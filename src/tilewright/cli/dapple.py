@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Json, option, parse_limits, parse_list
+from tilewright.cli.options import Force, Json, option, parse_limits, parse_list
 from tilewright.cli.performing import perform
 
 
@@ -83,6 +83,7 @@ def command(
     seed: Annotated[
         int, option("--seed", help="Seed of the start and of what is left to chance; default 0.")
     ] = 0,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Make a dappled tiling and draw it; or count such tilings, or write their clauses for a SAT solver.

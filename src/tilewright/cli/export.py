@@ -3,15 +3,20 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Folder, Json, LatticeSeed, UnusedSeed, option
+from tilewright.cli.options import Folder, Force, Json, LatticeSeed, NoSeed, option
 from tilewright.cli.performing import perform
 
 
 def command(
     folder: Folder,
     output: Annotated[
-        Path, option("-o", "--output", help="Folder to write, or one picture FILE.png, .tif or .exr.")
-    ],
+        Path | None,
+        option(
+            "-o",
+            "--output",
+            help="Folder to write, or one picture FILE.png, .tif or .exr; default a folder SET-TARGET.",
+        ),
+    ] = None,
     to: Annotated[
         str,
         option(
@@ -24,7 +29,8 @@ def command(
         str | None, option("--map", help="Name of the map that a picture shows; default the set's main map.")
     ] = None,
     lattice_seed: LatticeSeed = 0,
-    seed: UnusedSeed = 0,
+    seed: NoSeed = None,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Write a tile set for an engine or another program.

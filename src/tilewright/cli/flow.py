@@ -3,19 +3,19 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Json, option, parse_limits
+from tilewright.cli.options import Force, Json, option, parse_limits
 from tilewright.cli.performing import perform
 
 
 def command(
     output: Annotated[
-        Path,
+        Path | None,
         option(
             "-o",
             "--output",
             help="Animation FILE.gif or .webp, map FILE.png, or all arrays FILE.npz; default flow.gif.",
         ),
-    ] = Path("flow.gif"),
+    ] = None,
     width: Annotated[int, option(help="Width in cells; default 40.")] = 40,
     height: Annotated[int, option(help="Height in cells; default 25.")] = 25,
     limit: Annotated[
@@ -71,6 +71,7 @@ def command(
     seed: Annotated[
         int, option("--seed", help="Seed of the tiling and of the particles, from 0 on; default 0.")
     ] = 0,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Let particles walk over a dappled tiling of - and |, and make an animation or a map of them.

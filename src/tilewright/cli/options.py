@@ -14,11 +14,23 @@ option = partial(typer.Option, show_default=False)
 """An option whose help gives the unit and then the default, so that typer need not say it again."""
 
 Folder = Annotated[Path, argument(help="A tile-set folder made by `tilewright texture`.")]
+Force = Annotated[
+    bool, option("--force", help="Replace what is there already under the output's name; default no.")
+]
 Json = Annotated[bool, option("--json", help="Print one JSON object of the figures on stdout.")]
 Seed = Annotated[int, option("--seed", help="Seed of construction, from 0 on; default 0.")]
-UnusedSeed = Annotated[
-    int, option("--seed", help="Seed of construction; nothing is constructed here, so it changes nothing.")
-]
+
+
+def _refuse_seed(given: int | None) -> None:
+    if given is not None:
+        raise TilewrightValueError(
+            "--seed is the seed of construction, and nothing is constructed here; --lattice-seed gives "
+            "another arrangement of the tiles"
+        )
+
+
+NoSeed = Annotated[int | None, typer.Option("--seed", hidden=True, callback=_refuse_seed)]
+"""Refused where it would do nothing, with the name of the option that is meant."""
 LatticeSeed = Annotated[
     int, option("--lattice-seed", help="Seed of the tiling, from 0 on: which tile lies where; default 0.")
 ]

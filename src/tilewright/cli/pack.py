@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Json, option
+from tilewright.cli.options import Force, Json, option
 from tilewright.cli.performing import perform
 
 
@@ -37,6 +37,7 @@ def command(
     seed: Annotated[
         int, option("--seed", help="Which packing --method search finds, from 0 on; default 0.")
     ] = 0,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Write a tile packing: every tile of the complete set once, on a torus, neighbors matching.

@@ -3,12 +3,15 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Json, LatticeSeed, option
+from tilewright.cli.options import Force, Json, LatticeSeed, option
 from tilewright.cli.performing import perform
 
 
 def command(
-    output: Annotated[Path, option("-o", "--output", help="FILE.npy, .csv, .parquet or .ply.")],
+    output: Annotated[
+        Path | None,
+        option("-o", "--output", help="FILE.npy, .csv, .parquet or .ply; default METHOD-points.npy."),
+    ] = None,
     count: Annotated[
         int | None, option(help="Exact number of points; default as many as the window holds.")
     ] = None,
@@ -50,6 +53,7 @@ def command(
     seed: Annotated[
         int, option("--seed", help="Seed of the point tiles, or of a sampler, from 0 on; default 0.")
     ] = 0,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Write blue-noise points: any window of an endless plane by tiles, or a set by a sampler without tiles.

@@ -3,15 +3,18 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Folder, Json, LatticeSeed, Map, UnusedSeed, option
+from tilewright.cli.options import Folder, Force, Json, LatticeSeed, Map, NoSeed, option
 from tilewright.cli.performing import perform
 
 
 def command(
     folder: Folder,
-    output: Annotated[Path, option("-o", "--output", help="Picture to write: FILE.png, .tif or .exr.")],
-    width: Annotated[int, option(help="Width of the window in pixels.")],
-    height: Annotated[int, option(help="Height of the window in pixels.")],
+    output: Annotated[
+        Path | None,
+        option("-o", "--output", help="Picture to write: FILE.png, .tif or .exr; default SET.png."),
+    ] = None,
+    width: Annotated[int, option(help="Width of the window in pixels; default 2048.")] = 2048,
+    height: Annotated[int, option(help="Height of the window in pixels; default 2048.")] = 2048,
     x: Annotated[int, option(help="West-most pixel of the window, anywhere on the plane; default 0.")] = 0,
     y: Annotated[int, option(help="North-most pixel of the window; default 0.")] = 0,
     map: Map = None,
@@ -25,7 +28,8 @@ def command(
         float, option(help="Number of tiles along a pixel of --density; default 1.")
     ] = 1.0,
     lattice_seed: LatticeSeed = 0,
-    seed: UnusedSeed = 0,
+    seed: NoSeed = None,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Render a window of the endless plane.

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Annotated
 
 from tilewright.cli.options import (
+    Force,
     Json,
     Seed,
     argument,
@@ -26,7 +27,7 @@ def command(
         option(
             "-o",
             "--output",
-            help="Folder for the tile set; default tiles, or with --like the folder named there.",
+            help="Folder for the tile set; default PHOTO-tiles, or with --like the folder named there.",
         ),
     ] = None,
     tiles: Annotated[
@@ -115,6 +116,7 @@ def command(
     ] = None,
     threads: Annotated[int | None, option(help="Number of threads; default all processors.")] = None,
     seed: Seed = 0,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Make texture tiles from a photograph, or from the maps of a scanned material.

@@ -3,13 +3,15 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Folder, Json, LatticeSeed, UnusedSeed, option
+from tilewright.cli.options import Folder, Force, Json, LatticeSeed, NoSeed, option
 from tilewright.cli.performing import perform
 
 
 def command(
     folder: Folder,
-    output: Annotated[Path, option("-o", "--output", help="Page to write: FILE.html.")],
+    output: Annotated[
+        Path | None, option("-o", "--output", help="Page to write: FILE.html; default SET.html.")
+    ] = None,
     compare: Annotated[
         bool,
         option(
@@ -19,7 +21,8 @@ def command(
         ),
     ] = False,
     lattice_seed: LatticeSeed = 0,
-    seed: UnusedSeed = 0,
+    seed: NoSeed = None,
+    force: Force = False,
     json: Json = False,
 ) -> None:
     """Write a page to pan, zoom and tilt over the endless plane; it works offline.

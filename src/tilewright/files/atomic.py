@@ -117,11 +117,12 @@ def check_file(path: Path) -> Path:
         raise TilewrightFileError(f"{path} is a folder; a file name is expected", value=path)
     if real.exists() and not real.is_file():
         raise TilewrightFileError(f"{path} is not a plain file", value=path, advice="choose another name")
-    _check_outside(path, real)
+    check_outside(path, real)
     return real
 
 
-def _check_outside(path: Path, real: Path) -> None:
+def check_outside(path: Path, real: Path) -> None:
+    """Raise where something is to be written within a tile-set folder."""
     for folder in real.parents:
         if (folder / MANIFEST).exists():
             raise TilewrightFileError(
@@ -167,7 +168,7 @@ def check_folder(path: Path, objection: Callable[[Path], str]) -> Path:
         real = _real(path)
         if real.exists() and not real.is_dir():
             raise TilewrightFileError(f"{path} is a file; a folder is expected", value=path)
-        _check_outside(path, real)
+        check_outside(path, real)
         if real.is_dir() and any(real.iterdir()) and (reason := objection(real)):
             raise TilewrightFileError(f"{path} {reason}", value=path, advice="choose a new folder")
     return real

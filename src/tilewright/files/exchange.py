@@ -22,7 +22,7 @@ _ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP"
 
 
 def put_folder(new: Path, path: Path, spare: Path) -> None:
-    """Give a folder its name; one that has the name is then under the other's name or in ``spare``.
+    """Give a folder its name; one that has the name then lies where the new one was, or in ``spare``.
 
     Parameters
     ----------
@@ -31,8 +31,7 @@ def put_folder(new: Path, path: Path, spare: Path) -> None:
     path : Path
         Its name to be; nothing is there, or a folder.
     spare : Path
-        A name that nothing has, for the old folder, where names cannot be exchanged in one step. The last part
-        of its name is a folder of its own, so that the old one keeps the last part of its name within.
+        A folder that is not there yet, to keep the old one in where names cannot be exchanged in one step.
     """
     if not path.exists():
         try:

@@ -23,7 +23,7 @@ def _prefix(kind: str) -> str:
 
 @cache
 def _machine() -> str:
-    """This machine, since a folder may be shared with others, whose processes are not known here."""
+    """Tell this machine from those that share a folder with it, whose processes are not known here."""
     return f"{zlib.crc32(platform.node().encode()):08x}"
 
 

@@ -32,7 +32,6 @@ class AnalyzeJob(Job):
     """
 
     source: Path
-    output: Path | None = None
     width: float | None = None
     height: float | None = None
     torus: bool = False
@@ -42,7 +41,7 @@ class AnalyzeJob(Job):
         Rule(lambda job: (job.width is None) != (job.height is None), "{width} and {height} go together"),
     )
 
-    def run(self, progress: Progress | None = None) -> Done:
+    def _run(self, progress: Progress | None) -> Done:
         """Measure and draw."""
         from tilewright.analysis import analyze
         from tilewright.analysis.sheets import check_sheet

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.errors import Progress
 from tilewright.jobs.job import Done, Job, Rule
-from tilewright.jobs.saving import check_suffix, save_by_suffix
+from tilewright.jobs.outputs import check_suffix, save_by_suffix
 
 if TYPE_CHECKING:
     from tilewright.tiles import TileSet
@@ -50,7 +50,6 @@ class AperiodicJob(Job):
     """
 
     name: str | None = None
-    output: Path | None = None
     width: int = 40
     height: int = 30
     x: int = 0
@@ -69,11 +68,19 @@ class AperiodicJob(Job):
     )
 
     @property
+    def usual(self) -> str | None:
+        """Named after the set; nothing where sets are only listed."""
+        if self.name is None:
+            return None
+        parts = (Path(self.name).stem, self.to, "tiles" if self.set else None)
+        return f"{'-'.join(part for part in parts if part)}.svg"
+
+    @property
     def is_own(self) -> bool:
         """Whether the set comes from a file."""
         return self.name is not None and Path(self.name).suffix.lower() in (".csv", ".npy")
 
-    def run(self, progress: Progress | None = None) -> Done:
+    def _run(self, progress: Progress | None) -> Done:
         """List, or make the set, lay it and draw it."""
         started = time.perf_counter()
         if self.name is None:
@@ -92,16 +99,10 @@ class AperiodicJob(Job):
         if self.period is not None and tiling is None:
             said += f" tile no torus of up to {self.period[0]} x {self.period[1]} cells; this is proven"
         else:
-            files = (self._file(self.name),)
+            files = (self.target,)
             figures |= self._draw(files[0], tiles, tiling)
             said = f"{files[0]}: {said}{_remark(figures)}"
         return Done(files, figures | {"seconds": round(time.perf_counter() - started, 3)}, said)
-
-    def _file(self, name: str) -> Path:
-        if self.output is not None:
-            return self.output
-        parts = (Path(name).stem, self.to, "tiles" if self.set else None)
-        return Path(f"{'-'.join(part for part in parts if part)}.svg")
 
     def _lay(self, tiles: "TileSet", progress: Progress | None) -> "tuple[TileSet, Tiling | None]":
         """The set that is drawn, and its tiling where one is asked for."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from tilewright.checks import check_choice, check_int
 from tilewright.errors import Progress, TilewrightFileError
 from tilewright.jobs.job import Clash, Done, Job, Rule, useless
-from tilewright.jobs.saving import save_array
+from tilewright.jobs.outputs import save_array
 from tilewright.seeds import check_seed
 
 if TYPE_CHECKING:
@@ -74,7 +74,6 @@ class BricksJob(Job):
         Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
-    output: Path = Path("wall.png")
     width: int | None = None
     height: int | None = None
     x: int = 0
@@ -106,16 +105,21 @@ class BricksJob(Job):
     )
 
     @property
+    def usual(self) -> str | None:
+        """A picture."""
+        return "wall.png"
+
+    @property
     def kind(self) -> str:
         """The suffix of the file; nothing for a folder."""
-        return self.output.suffix.lower()
+        return self.target.suffix.lower()
 
     @property
     def is_region(self) -> bool:
         """Whether the wall has a shape of its own."""
         return self.mask is not None or self.boundary is not None
 
-    def run(self, progress: Progress | None = None) -> Done:
+    def _run(self, progress: Progress | None) -> Done:
         """Lay and draw."""
         from tilewright.fields import BondBricks, BrickField
         from tilewright.signals.bricks import BrickStyle
@@ -126,7 +130,7 @@ class BricksJob(Job):
         wall, (width, height) = self._lay()
         self._check_inside(wall, width * height)
         if self.kind == ".npy":
-            save_array(self.output, _indices(wall, (self.x, self.y, width, height)))
+            save_array(self.target, _indices(wall, (self.x, self.y, width, height)))
         else:
             size = None if isinstance(wall, BondBricks) else self.size
             field = BrickField(wall, style, size=size, seed=self.seed)
@@ -134,9 +138,9 @@ class BricksJob(Job):
             self._draw(field, (self.x * across, self.y * down, width * across, height * down), progress)
         seconds = time.perf_counter() - started
         figures = {
-            "file": str(self.output), "width": width, "height": height, "seconds": round(seconds, 3)
+            "file": str(self.target), "width": width, "height": height, "seconds": round(seconds, 3)
         }  # fmt: skip
-        return Done((self.output,), figures, f"{self.output}: {width} x {height} cells in {seconds:.1f} s")
+        return Done((self.target,), figures, f"{self.target}: {width} x {height} cells in {seconds:.1f} s")
 
     def _check(self) -> None:
         """Numbers that the library would name otherwise, or not see."""
@@ -229,9 +233,9 @@ class BricksJob(Job):
         from tilewright.export.drawing import draw_wall, save_svg
 
         if self.kind == ".svg":
-            save_svg(self.output, draw_wall(field, *window, mode="lines" if self.lines else "bricks"))
+            save_svg(self.target, draw_wall(field, *window, mode="lines" if self.lines else "bricks"))
         else:
-            field.save(self.output, *window, map=self.map or "preview", progress=progress)
+            field.save(self.target, *window, map=self.map or "preview", progress=progress)
 
 
 def _read_boundary(path: Path) -> "dict[str, NDArray[Any]]":

@@ -3,7 +3,6 @@
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 from tilewright.errors import Progress
 from tilewright.jobs.job import Done, Job
@@ -34,14 +33,13 @@ class CompareJob(Job):
         Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
-    output: Path | None = None
     methods: Sequence[str] | None = None
     full: bool = False
     list: bool = False
     sets: int = 10
     seed: int = 0
 
-    def run(self, progress: Progress | None = None) -> Done:
+    def _run(self, progress: Progress | None) -> Done:
         """Measure every method, and save what is seen."""
         from tilewright.analysis import compare
         from tilewright.analysis.points.comparison import check_comparison_folder

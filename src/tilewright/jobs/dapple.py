@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from tilewright.checks import check_int, check_real
 from tilewright.errors import Progress, TilewrightFileError, TilewrightValueError
 from tilewright.jobs.job import Done, Job, Rule, useless
-from tilewright.jobs.saving import check_output, save_by_suffix
+from tilewright.jobs.outputs import check_output, save_by_suffix
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -74,7 +74,6 @@ class DappleJob(Job):
         Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
-    output: Path | None = None
     width: int | None = None
     height: int | None = None
     limit: Mapping[str, float] | None = None
@@ -126,31 +125,31 @@ class DappleJob(Job):
     )  # fmt: skip
 
     @property
-    def file(self) -> Path:
-        """Where the tiling goes."""
-        return Path("dapple.png") if self.output is None else self.output
+    def usual(self) -> str | None:
+        """A picture; nothing where tilings are only counted."""
+        return None if self.count else "dapple.png"
 
     @property
     def suffix(self) -> str:
         """What the file is to hold."""
-        return self.file.suffix.lower()
+        return "" if self.count else self.target.suffix.lower()
 
-    def run(self, progress: Progress | None = None) -> Done:
+    def _run(self, progress: Progress | None) -> Done:
         """Make, write and measure."""
         started = time.perf_counter()
         conditions = self._conditions()
         if self.count:
             return self._count(conditions, progress)
-        check_output(self.file, _SUFFIXES)
+        check_output(self.target, _SUFFIXES)
         if self.suffix == ".cnf":
             figures, text = self._write_clauses(conditions)
         else:
             cells, figures = self._make(conditions, progress)
             self._draw(cells, conditions)
-            text = _sentence(self.file, figures)
+            text = _sentence(self.target, figures)
         spent = time.perf_counter() - started
-        figures = {"file": str(self.file), **figures, "seconds": round(spent, 3)}
-        return Done((self.file,), figures, f"{text}; {spent:.1f} s")
+        figures = {"file": str(self.target), **figures, "seconds": round(spent, 3)}
+        return Done((self.target,), figures, f"{text}; {spent:.1f} s")
 
     def _conditions(self) -> "Conditions":
         """Limits on as many tiles as are named anywhere."""
@@ -262,12 +261,12 @@ class DappleJob(Job):
         clauses = dapple_formula((height, width), conditions, cyclic=self.cyclic, partial=partial)
         limits = ", ".join(f"{limit}={np.asarray(limit.most).item()}" for limit in conditions.limits)
         ring = "cyclic " if self.cyclic else ""
-        with whole_file(self.file) as unfinished:
+        with whole_file(self.target) as unfinished:
             unfinished.write_text(
                 clauses.dimacs((f"{ring}dappled tilings of {width} x {height} cells: {limits}",))
             )
         figures = {"width": width, "height": height, "variables": clauses.count, "clauses": len(clauses)}
-        return figures, f"{self.file}: {clauses.count} variables, {len(clauses)} clauses"
+        return figures, f"{self.target}: {clauses.count} variables, {len(clauses)} clauses"
 
     def _draw(self, cells: "Cells", conditions: "Conditions") -> None:
         from tilewright.export.drawing import draw_cells, paint_cells
@@ -277,7 +276,7 @@ class DappleJob(Job):
             colors = _ramp(conditions.tiles)
         look: dict[str, Any] = {"colors": colors, "motif": self.motif or "fill", "size": self.cell}
         save_by_suffix(
-            self.file,
+            self.target,
             {
                 ".svg": lambda: draw_cells(cells, **look),
                 ".png": lambda: paint_cells(cells, **look),

@@ -19,8 +19,8 @@ class ExportJob(Job):
     ----------
     folder : Path
         A tile-set folder of textures.
-    output : Path
-        The folder to write, or a picture of one map.
+    output : Path, optional
+        The folder to write, or a picture of one map; default a folder named after the set and the target.
     to : str, optional
         A target of `save_for_engine`; ``"atlas"`` (default) or ``"array"`` for a picture.
     map : str, optional
@@ -35,7 +35,6 @@ class ExportJob(Job):
     """
 
     folder: Path
-    output: Path
     to: str = "atlas"
     map: str | None = None
     lattice_seed: int = 0
@@ -48,11 +47,16 @@ class ExportJob(Job):
     )
 
     @property
+    def usual(self) -> str | None:
+        """Named after what it is made from."""
+        return f"{self.folder.resolve().name}-{self.to}"
+
+    @property
     def is_picture(self) -> bool:
         """Whether one map is asked for."""
-        return self.output.suffix.lower() in _PICTURES
+        return self.target.suffix.lower() in _PICTURES
 
-    def run(self, progress: Progress | None = None) -> Done:
+    def _run(self, progress: Progress | None) -> Done:
         """Write, and count what was written."""
         from tilewright.export import save_array, save_atlas, save_for_engine
         from tilewright.export.engines import TARGETS
@@ -62,16 +66,16 @@ class ExportJob(Job):
             write = {"array": save_array, "atlas": save_atlas}[
                 check_choice("to", self.to, ("array", "atlas"))
             ]
-            write(load_texture(self.folder), self.output, map=self.map)
-            figures: dict[str, Any] = {"file": str(self.output), "bytes": self.output.stat().st_size}
-            return Done((self.output,), figures, str(self.output))
+            write(load_texture(self.folder), self.target, map=self.map)
+            figures: dict[str, Any] = {"file": str(self.target), "bytes": self.target.stat().st_size}
+            return Done((self.target,), figures, str(self.target))
         check_choice("to", self.to, TARGETS)
-        save_for_engine(load_texture(self.folder), self.output, self.to, seed=self.lattice_seed)
-        files = tuple(path for path in self.output.rglob("*") if path.is_file())
+        save_for_engine(load_texture(self.folder), self.target, self.to, seed=self.lattice_seed)
+        files = tuple(path for path in self.target.rglob("*") if path.is_file())
         size = sum(path.stat().st_size for path in files)
-        figures = {"folder": str(self.output), "files": len(files), "bytes": size}
-        begin = self.output / "README.md"
+        figures = {"folder": str(self.target), "files": len(files), "bytes": size}
+        begin = self.target / "README.md"
         return Done(
-            (self.output,), figures,
-            f"{self.output}: {len(files)} files, {size / 1e6:.1f} MB; begin with {begin}",
+            (self.target,), figures,
+            f"{self.target}: {len(files)} files, {size / 1e6:.1f} MB; begin with {begin}",
         )  # fmt: skip

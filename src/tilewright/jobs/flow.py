@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from tilewright.checks import check_choice, check_int, check_real
 from tilewright.errors import Progress
 from tilewright.jobs.job import Done, Job, Rule, useless
-from tilewright.jobs.saving import check_output
+from tilewright.jobs.outputs import check_output
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -78,7 +78,6 @@ class FlowJob(Job):
         Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
-    output: Path = Path("flow.gif")
     width: int = 40
     height: int = 25
     limit: Mapping[str, float] | None = None
@@ -123,10 +122,15 @@ class FlowJob(Job):
     )
 
     @property
+    def usual(self) -> str | None:
+        """An animation."""
+        return "flow.gif"
+
+    @property
     def kind(self) -> str:
         """What is to be written."""
         picture = TRAILS if self.map == "trails" else DENSITY
-        return {".npz": ARRAYS, ".png": picture}.get(self.output.suffix.lower(), ANIMATION)
+        return {".npz": ARRAYS, ".png": picture}.get(self.target.suffix.lower(), ANIMATION)
 
     @property
     def interval(self) -> int:
@@ -135,7 +139,7 @@ class FlowJob(Job):
             return self.every
         return self.steps if self.kind == DENSITY else 1
 
-    def run(self, progress: Progress | None = None) -> Done:
+    def _run(self, progress: Progress | None) -> Done:
         """Dapple, walk and write."""
         from tilewright.flows import FlowTile, simulate_flow, strew_tiles
 
@@ -153,12 +157,12 @@ class FlowJob(Job):
         )  # fmt: skip
         self._write(flow, progress)
         seconds = time.perf_counter() - started
-        figures = {"file": str(self.output), **flow.figures, "seconds": round(seconds, 3)}
-        return Done((self.output,), figures, self._sentence(figures, seconds))
+        figures = {"file": str(self.target), **flow.figures, "seconds": round(seconds, 3)}
+        return Done((self.target,), figures, self._sentence(figures, seconds))
 
     def _sentence(self, figures: dict[str, Any], seconds: float) -> str:
         return (
-            f"{self.output}: {self.particles} particles on {self.width} x {self.height} cells, {self.steps} "
+            f"{self.target}: {self.particles} particles on {self.width} x {self.height} cells, {self.steps} "
             f"steps; born {figures['born']}, killed {figures['killed']}, left {figures['left']}, alive "
             f"{figures['alive']}; {seconds:.1f} s"
         )
@@ -167,7 +171,7 @@ class FlowJob(Job):
         """Refuse before the walk what would be refused only after it."""
         from tilewright.export.drawing.flows import fit_size
 
-        check_output(self.output, (".gif", ".webp", ".png", ".npz"))
+        check_output(self.target, (".gif", ".webp", ".png", ".npz"))
         check_choice("map", self.map or "density", ("density", "trails"))
         check_choice("color", self.color or "direction", ("direction", "particle"))
         check_real("speed", self.speed, 0.001, 8)
@@ -210,11 +214,11 @@ class FlowJob(Job):
         style = {"size": self.size, "color": self.color, "trail": self.trail, "rate": self.fps}
         given: dict[str, Any] = {name: value for name, value in style.items() if value is not None}
         if self.kind == ANIMATION:
-            save_animation(self.output, flow, **given, progress=progress)
+            save_animation(self.target, flow, **given, progress=progress)
         elif self.kind == ARRAYS:
-            save_flow(self.output, flow)
+            save_flow(self.target, flow)
         elif self.kind == TRAILS:
-            write_image(self.output, draw_trails(flow, **given))
+            write_image(self.target, draw_trails(flow, **given))
         else:
             size = self.size or max(1, min(48, 960 // max(flow.cells.shape)))
-            write_image(self.output, draw_density(flow, size=size))
+            write_image(self.target, draw_density(flow, size=size))

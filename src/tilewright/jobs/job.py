@@ -1,12 +1,15 @@
-"""What every job has: options that are checked once, by one table of clashes, and what it gives back."""
+"""What every job has: options, checked once by one table of clashes, an output, and what it gives back."""
 
+import os
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, ClassVar, Generic, TypeVar
 
 from tilewright.errors import Progress, TilewrightValueError
+from tilewright.files.atomic import check_outside
+from tilewright.jobs.outputs import find_free
 
 J = TypeVar("J", bound="Job")
 
@@ -48,6 +51,12 @@ class Clash(TilewrightValueError):
         return Clash, (self.text,)
 
 
+def is_there(path: Path) -> Clash:
+    """The refusal to replace what is there."""
+    shown = str(path).replace("{", "{{").replace("}", "}}")
+    return Clash(f"{shown} is there already; name another {{output}}, or give {{force}} to replace it")
+
+
 class _Named(dict[str, str]):
     """Any name in braces, as a face calls it."""
 
@@ -77,10 +86,18 @@ def useless(when: Callable[[J], Any], reason: str, *names: str) -> tuple[Rule[J]
     return tuple(rule(name) for name in names)
 
 
+@dataclass(frozen=True, kw_only=True)
 class Job(ABC):
     """A whole job: a frozen dataclass of options, checked when it is made, and `run`.
 
     Options that were not given are None, False or the default that is written at them.
+
+    Attributes
+    ----------
+    output : Path, optional
+        What is written; by default a name that is `usual`, with a number where it is there already.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------
@@ -88,7 +105,29 @@ class Job(ABC):
         Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
+    output: Path | None = None
+    force: bool = False
+
     RULES: ClassVar[tuple[Rule[Any], ...]] = ()
+
+    @property
+    def usual(self) -> str | None:
+        """The name of the output where none is given; None where nothing is written then."""
+        return None
+
+    @property
+    def target(self) -> Path:
+        """What is written.
+
+        Raises
+        ------
+        TilewrightValueError
+            Nothing is.
+        """
+        name = self.output or self.usual
+        if name is None:
+            raise TilewrightValueError("is missing; this job writes nothing without", argument="output")
+        return Path(name)
 
     def __post_init__(self) -> None:
         for rule in self.RULES:
@@ -111,7 +150,6 @@ class Job(ABC):
         defaults = {field.name: field.default for field in fields(self)}  # type: ignore[arg-type]
         return any(getattr(self, name) != defaults[name] for name in names)
 
-    @abstractmethod
     def run(self, progress: Progress | None = None) -> Done:
         """Do the work.
 
@@ -125,3 +163,18 @@ class Job(ABC):
         Done
             Files, figures and a sentence.
         """
+        if self.output is None and self.usual is not None and not self.force:
+            return replace(self, output=find_free(self.usual))._run(progress)
+        if self.output is not None and not self.force:
+            self._keep(self.output)
+        return self._run(progress)
+
+    def _keep(self, output: Path) -> None:
+        """Refuse to replace what is there, before any work."""
+        if os.path.lexists(output):
+            check_outside(output, output.resolve())
+            raise is_there(output)
+
+    @abstractmethod
+    def _run(self, progress: Progress | None) -> Done:
+        """Do the work, and write ``target``."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from tilewright.checks import check_choice
 from tilewright.errors import Progress
 from tilewright.jobs.job import Done, Job, Rule
-from tilewright.jobs.saving import check_suffix, save_by_suffix
+from tilewright.jobs.outputs import check_suffix, save_by_suffix
 from tilewright.seeds import check_seed
 
 if TYPE_CHECKING:
@@ -55,7 +55,6 @@ class PackJob(Job):
         Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
-    output: Path | None = None
     tiles: str = "corner"
     colors: int = 2
     method: str = "closed"
@@ -68,13 +67,16 @@ class PackJob(Job):
     RULES: ClassVar[tuple[Rule[Any], ...]] = tuple(_of_a_puzzle(name) for name in ("picture", "engrave"))
 
     @property
+    def usual(self) -> str | None:
+        """Named after the set; nothing where packings are only counted."""
+        return None if self.count else f"{self.tiles}-{self.colors}-packing.png"
+
+    @property
     def file(self) -> Path | None:
         """Where the packing goes; nowhere where only a count is asked for."""
-        if self.output is None and not self.count:
-            return Path(f"{self.tiles}-{self.colors}-packing.png")
-        return self.output
+        return self.output if self.count else self.target
 
-    def run(self, progress: Progress | None = None) -> Done:
+    def _run(self, progress: Progress | None) -> Done:
         """Count, pack and draw."""
         from tilewright.tiles import corner_tiles, wang_tiles
 

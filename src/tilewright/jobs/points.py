@@ -21,7 +21,7 @@ class PointsJob(Job):
 
     Attributes
     ----------
-    output : Path
+    output : Path, optional
         ``.npy``, ``.csv``, ``.parquet`` or ``.ply``.
     method : str, optional
         A kind of point tiles, default ``"corner"``, or a sampler.
@@ -54,7 +54,6 @@ class PointsJob(Job):
         Options that clash, when the job is made; by `run`, what cannot be used, read or written.
     """
 
-    output: Path
     method: str = "corner"
     tiles: Path | None = None
     save: Path | None = None
@@ -75,11 +74,16 @@ class PointsJob(Job):
     )
 
     @property
+    def usual(self) -> str | None:
+        """Named after what it is made from."""
+        return f"{self.method if self.tiles is None else self.tiles.resolve().name}-points.npy"
+
+    @property
     def size(self) -> tuple[float, float] | None:
         """The window's, where it was given."""
         return None if self.width is None or self.height is None else (self.width, self.height)
 
-    def run(self, progress: Progress | None = None) -> Done:
+    def _run(self, progress: Progress | None) -> Done:
         """Make the points and write them, a piece at a time where they are many."""
         from tilewright.files import write_points
         from tilewright.files.point_files import check_point_file
@@ -88,19 +92,19 @@ class PointsJob(Job):
         from tilewright.signals.points import TILE_METHODS
 
         started = time.perf_counter()
-        check_point_file(self.output)
+        check_point_file(self.target)
         check_choice("method", self.method, (*TILE_METHODS, *METHODS))
         if self.save is not None:
             check_savable(self.save, "points")
         sampled = self.tiles is None and self.method in METHODS
         result, total, promised = self._sample(progress) if sampled else self._lay(progress)
-        write_points(self.output, result, total)
+        write_points(self.target, result, total)
         seconds = time.perf_counter() - started
         figures = {
-            "file": str(self.output), "count": total, "distance": promised, "seconds": round(seconds, 3)
+            "file": str(self.target), "count": total, "distance": promised, "seconds": round(seconds, 3)
         }  # fmt: skip
-        words = f"{self.output}: {total:,} points, none closer than {promised:.5g}, in {seconds:.2f} s"
-        files = (self.output,) if self.save is None else (self.output, self.save)
+        words = f"{self.target}: {total:,} points, none closer than {promised:.5g}, in {seconds:.2f} s"
+        files = (self.target,) if self.save is None else (self.target, self.save)
         return Done(files, figures, words)
 
     def _sample(self, progress: Progress | None) -> "tuple[PointSet | Blocks, int, float]":

@@ -21,10 +21,10 @@ class RenderJob(Job):
     ----------
     folder : Path
         A tile-set folder of textures.
-    output : Path
-        The picture: ``.png``, ``.tif`` or ``.exr``.
-    width, height : int
-        Size of the window in pixels.
+    output : Path, optional
+        The picture: ``.png``, ``.tif`` or ``.exr``; default a ``.png`` named after the set.
+    width, height : int, optional
+        Size of the window in pixels; default 2,048.
     x, y : int, optional
         Its north-west pixel; default (0, 0). The plane is endless where the set has a direct tiling.
     map : str, optional
@@ -43,9 +43,8 @@ class RenderJob(Job):
     """
 
     folder: Path
-    output: Path
-    width: int
-    height: int
+    width: int = 2048
+    height: int = 2048
     x: int = 0
     y: int = 0
     map: str | None = None
@@ -53,7 +52,12 @@ class RenderJob(Job):
     cells_per_pixel: float = 1.0
     lattice_seed: int = 0
 
-    def run(self, progress: Progress | None = None) -> Done:
+    @property
+    def usual(self) -> str | None:
+        """Named after what it is made from."""
+        return f"{self.folder.resolve().name}.png"
+
+    def _run(self, progress: Progress | None) -> Done:
         """Lay and save."""
         from tilewright.fields import TextureField
         from tilewright.files import load_texture
@@ -61,14 +65,14 @@ class RenderJob(Job):
         started = time.perf_counter()
         material = load_texture(self.folder)
         field = TextureField(material, self._tiling(material))
-        field.save(self.output, self.x, self.y, self.width, self.height, map=self.map, progress=progress)
+        field.save(self.target, self.x, self.y, self.width, self.height, map=self.map, progress=progress)
         seconds = time.perf_counter() - started
         figures = {
-            "file": str(self.output), "width": self.width, "height": self.height,
+            "file": str(self.target), "width": self.width, "height": self.height,
             "seconds": round(seconds, 3),
         }  # fmt: skip
-        sentence = f"{self.output}: {self.width} x {self.height} pixels in {seconds:.1f} s"
-        return Done((self.output,), figures, sentence)
+        sentence = f"{self.target}: {self.width} x {self.height} pixels in {seconds:.1f} s"
+        return Done((self.target,), figures, sentence)
 
     def _tiling(self, material: "TextureTiles") -> "Tiling":
         """Steered by a picture, or by chance."""

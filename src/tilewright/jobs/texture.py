@@ -1,14 +1,16 @@
 """The job of the command ``texture``: from photographs to a tile-set folder."""
 
 import time
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice
-from tilewright.errors import Progress, TilewrightValueError
-from tilewright.jobs.job import Done, Job, Rule, useless
+from tilewright.errors import Progress, TilewrightValueError, TilewrightWarning
+from tilewright.jobs.job import Done, Job, Rule, is_there, useless
+from tilewright.sameness import same
 
 if TYPE_CHECKING:
     from tilewright.signals.textures import TextureTiles
@@ -29,7 +31,8 @@ class TextureJob(Job):
     photo : Path, optional
         A photograph, or a folder of a material's maps.
     output : Path, optional
-        The folder of the set; default that of ``like``, else ``tiles``.
+        The folder of the set; default that of ``like``, else one named after the photograph:
+        ``moss-tiles``.
     tiles : str, optional
         ``"corner"``, ``"wang"``, ``"cohen-8"``, ``"cohen-12"``, ``"cohen-18"`` or ``"corner-coded"``; default
         what suits the photograph, or ``"corner"`` with an older method.
@@ -78,7 +81,6 @@ class TextureJob(Job):
     """
 
     photo: Path | None = None
-    output: Path | None = None
     tiles: str | None = None
     colors: int | None = None
     tile_size: int | str | None = None
@@ -123,16 +125,54 @@ class TextureJob(Job):
         ),
     )
 
-    def run(self, progress: Progress | None = None) -> Done:
+    @property
+    def usual(self) -> str | None:
+        """Named after the photograph, its folder, or the set that is made again; the set that gets maps."""
+        if self.like is not None:
+            return None
+        if self.from_ is not None:
+            return self.from_.resolve().name
+        first = self.photo or Path(next(iter((self.map or {}).values())))
+        return f"{first.resolve().name if first.is_dir() else first.stem}-tiles"
+
+    def _keep(self, output: Path) -> None:
+        """Refuse to replace another set; one that comes out the same may be there."""
+        from tilewright.files.tileset_folder import check_savable
+
+        check_savable(output, "texture")
+        if output.is_dir() and any(output.iterdir()) and self._is_other(output):
+            raise is_there(output)
+
+    def _is_other(self, output: Path) -> bool:
+        """Whether this job surely makes another set than lies there; cheap beside making it."""
+        from tilewright.files import load_texture
+
+        if self.from_ is not None or self.like is not None:
+            return True
+        old = load_texture(output)
+        asked = {"seed": self.seed, "method": self.method, "variants": self.variants}
+        made = {"variants": 1, **old.recipe}
+        if any(value is not None and value != made.get(name) for name, value in asked.items()):
+            return True
+        if isinstance(self.tile_size, int) and self.tile_size != old.tile_size:
+            return True
+        tiles = self._tile_set()
+        return (tiles is not None and tiles != old.tiles) or not same(self._sources(), old.sources)
+
+    def _run(self, progress: Progress | None) -> Done:
         """Synthesize and save."""
-        from tilewright.files import save
+        from tilewright.files import load_texture, save
         from tilewright.files.tileset_folder import check_savable
 
         started = time.perf_counter()
-        folder = self.output or self.like or Path("tiles")
+        folder = self.output or self.like or self.target
         check_savable(folder, "texture")
         material = self._make(progress)
-        save(material, folder)
+        kept = self.output is not None and not self.force and folder.is_dir() and any(folder.iterdir())
+        if not kept:
+            save(material, folder)
+        elif load_texture(folder) != material:
+            raise is_there(folder)
         seconds = time.perf_counter() - started
         figures = {
             "folder": str(folder),
@@ -184,6 +224,15 @@ class TextureJob(Job):
             progress=progress,
             **self._meaning(),
         )
+
+    def _sources(self) -> Any:
+        """The pictures that the set is made of."""
+        from tilewright.jobs.materials import open_exemplar
+
+        with warnings.catch_warnings():  # notes come when they are opened for the work
+            warnings.simplefilter("ignore", TilewrightWarning)
+            opened = open_exemplar(self._pictures(), second=self.second, mask=self.mask, **self._meaning())
+        return opened.sources
 
     def _meaning(self) -> dict[str, Any]:
         return {"kinds": dict(self.kind or {}), "normal": self.normal, "flatten": self.flatten}

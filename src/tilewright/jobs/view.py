@@ -15,8 +15,8 @@ class ViewJob(Job):
     ----------
     folder : Path
         A tile-set folder of textures.
-    output : Path
-        The ``.html`` file.
+    output : Path, optional
+        The ``.html`` file; default one named after the set.
     compare : bool, optional
         Show plain repetition, hex-tiling, by-example noise, and the other of Wang and corner tiles too;
         default False.
@@ -30,24 +30,28 @@ class ViewJob(Job):
     """
 
     folder: Path
-    output: Path
     compare: bool = False
     lattice_seed: int = 0
 
-    def run(self, progress: Progress | None = None) -> Done:
+    @property
+    def usual(self) -> str | None:
+        """Named after what it is made from."""
+        return f"{self.folder.resolve().name}.html"
+
+    def _run(self, progress: Progress | None) -> Done:
         """Compare where that is asked for, and write."""
         from tilewright.analysis import compare_textures
         from tilewright.export import save_viewer
         from tilewright.export.viewer.page import check_page
         from tilewright.files import load_texture
 
-        check_page(self.output)
+        check_page(self.target)
         material = load_texture(self.folder)
         compared = None
         if self.compare:
             compared = compare_textures(material, seed=self.lattice_seed, progress=progress)
-        save_viewer(material, self.output, seed=self.lattice_seed, compare=compared)
-        size = self.output.stat().st_size
-        figures = {"file": str(self.output), "bytes": size}
+        save_viewer(material, self.target, seed=self.lattice_seed, compare=compared)
+        size = self.target.stat().st_size
+        figures = {"file": str(self.target), "bytes": size}
         figures |= {} if compared is None else {"methods": compared.figures}
-        return Done((self.output,), figures, f"{self.output}: {size / 1e6:.1f} MB")
+        return Done((self.target,), figures, f"{self.target}: {size / 1e6:.1f} MB")

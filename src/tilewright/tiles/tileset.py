@@ -74,6 +74,19 @@ class TileSet(Shown, ABC):
     @abstractmethod
     def __len__(self) -> int: ...
 
+    def __eq__(self, other: object) -> bool:
+        """Tell whether the same tiles may meet, in the same order, whatever the sets are called."""
+        if not isinstance(other, TileSet):
+            return NotImplemented
+        if self is other:
+            return True
+        if (self.shape.name, self.colors, len(self)) != (other.shape.name, other.colors, len(other)):
+            return False
+        return np.array_equal(self.slots, other.slots)
+
+    def __hash__(self) -> int:
+        return hash((self.shape.name, self.colors, len(self)))
+
     @abstractmethod
     def slots_of(self, index: ArrayLike) -> Slots:
         """Look up the colors of tiles.

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_int, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
+from tilewright.sameness import Alike
 from tilewright.showing import Shown, describe, many
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
@@ -17,7 +18,7 @@ _ONE = np.nextafter(np.float32(1), np.float32(0))
 
 
 @dataclass(frozen=True, eq=False)
-class PointTiles(Shown):
+class PointTiles(Alike, Shown):
     """Points over a tile set, with one or several variants of each tile.
 
     Attributes

@@ -1,5 +1,6 @@
-"""Files of jobs: what they hold is told by their suffix."""
+"""Files of jobs: their names, what they hold by their suffix, and that none is lost."""
 
+import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -9,6 +10,15 @@ from tilewright.files.atomic import check_file
 
 Maker = Callable[[], Any]
 """Makes what a file is to hold: the text of an SVG, the pixels of a picture, an array."""
+
+
+def find_free(name: str) -> Path:
+    """The first of ``wall.png``, ``wall-2.png``, ``wall-3.png`` and so on that is not there yet."""
+    path, number = Path(name), 2
+    while os.path.lexists(path):
+        path = Path(name).with_stem(f"{Path(name).stem}-{number}")
+        number += 1
+    return path
 
 
 def check_suffix(path: Path, allowed: Sequence[str]) -> str:
