@@ -26,6 +26,7 @@ HOLDS = {
     "kernels": "compiled loops",
     "pixels": "channels and colors",
     "showing": "one line",
+    "sameness": "equal content",
     "seeds": "chance",
     "checks": "one clear line",
     "errors": "one family",

@@ -24,6 +24,8 @@ class AnalyzeJob(Job):
         Whether opposite sides of the box meet; default False.
     seed : int, optional
         Seed of the tilings that are measured; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

@@ -42,6 +42,8 @@ class AperiodicJob(Job):
         Of a set of your own: ``"wang"`` (default), ``"corner"`` or ``"corner-coded"``.
     seed : int, optional
         Which of the tilings; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

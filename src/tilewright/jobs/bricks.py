@@ -67,6 +67,8 @@ class BricksJob(Job):
         Whether an SVG shows the joints as lines; default False.
     seed : int, optional
         Seed of the wall and of how bricks look; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

@@ -26,6 +26,8 @@ class CompareJob(Job):
         Sets of each method, K; default 10.
     seed : int, optional
         Where chance begins; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

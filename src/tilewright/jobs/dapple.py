@@ -67,6 +67,8 @@ class DappleJob(Job):
         What each tile shows: ``"fill"`` (default), ``"strokes"`` or ``"arcs"``.
     seed : int, optional
         Where chance begins; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

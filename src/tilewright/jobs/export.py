@@ -27,6 +27,8 @@ class ExportJob(Job):
         Which map a picture shows; default the main one.
     lattice_seed : int, optional
         Seed of the tiling, built into shaders; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

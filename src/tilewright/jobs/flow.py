@@ -71,6 +71,8 @@ class FlowJob(Job):
         Frames per second; default 25.
     seed : int, optional
         Where chance begins; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

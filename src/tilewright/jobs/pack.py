@@ -48,6 +48,8 @@ class PackJob(Job):
         What is cut into the pieces: ``"none"`` (default), ``"colors"`` or ``"numbers"``.
     seed : int, optional
         Which packing the search finds; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

@@ -47,6 +47,8 @@ class PointsJob(Job):
         Seed of the tiling; default 0.
     seed : int, optional
         Seed of the tiles, or of the sampler; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

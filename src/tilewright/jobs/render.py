@@ -35,6 +35,8 @@ class RenderJob(Job):
         Tiles along a pixel of ``density``; default 1.
     lattice_seed : int, optional
         Seed of the tiling; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

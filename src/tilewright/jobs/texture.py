@@ -73,6 +73,8 @@ class TextureJob(Job):
         Threads; default all processors.
     seed : int, optional
         The same seed gives the same bytes; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

@@ -22,6 +22,8 @@ class ViewJob(Job):
         default False.
     lattice_seed : int, optional
         Seed of the tiling that the page begins with; default 0.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------
