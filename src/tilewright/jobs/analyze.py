@@ -14,18 +14,18 @@ class AnalyzeJob(Job):
 
     Attributes
     ----------
-    source : Path
-        A tile-set folder, or points in ``.npy``, ``.csv``, ``.parquet`` or ``.ply``.
     output : Path, optional
         A sheet of pictures: ``.png``, ``.jpg``, ``.svg`` or ``.pdf``.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
+    source : Path
+        A tile-set folder, or points in ``.npy``, ``.csv``, ``.parquet`` or ``.ply``.
     width, height : float, optional
         Sides of the box that the points of a file lie in; default as the file says.
     torus : bool, optional
         Whether opposite sides of the box meet; default False.
     seed : int, optional
         Seed of the tilings that are measured; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

@@ -22,11 +22,13 @@ class AperiodicJob(Job):
 
     Attributes
     ----------
-    name : str, optional
-        Name of a set, or a ``.csv`` or ``.npy`` file of your own; by default the sets are listed.
     output : Path, optional
         ``.svg``, ``.png`` or ``.npy`` (tile indices, or with ``set`` the colors of the tiles); default named
         after the set.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
+    name : str, optional
+        Name of a set, or a ``.csv`` or ``.npy`` file of your own; by default the sets are listed.
     width, height : int, optional
         Size of the window in cells; default 40 x 30.
     x, y : int, optional
@@ -42,8 +44,6 @@ class AperiodicJob(Job):
         Of a set of your own: ``"wang"`` (default), ``"corner"`` or ``"corner-coded"``.
     seed : int, optional
         Which of the tilings; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

@@ -35,6 +35,8 @@ class BricksJob(Job):
     output : Path, optional
         ``.png``, ``.tif``: a picture of ``map``; ``.svg``: bricks, or joints with ``lines``; ``.npy``: tiles;
         without a suffix: a folder of all maps. Default ``wall.png``.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
     width, height : int, optional
         Size in cells; default 12 x 20, or that of the region.
     x, y : int, optional
@@ -67,8 +69,6 @@ class BricksJob(Job):
         Whether an SVG shows the joints as lines; default False.
     seed : int, optional
         Seed of the wall and of how bricks look; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

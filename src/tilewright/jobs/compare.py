@@ -16,6 +16,8 @@ class CompareJob(Job):
     ----------
     output : Path, optional
         A folder for the table, the figures and the pictures.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
     methods : sequence of str, optional
         Names, as ``list`` gives them; default those of moderate cost.
     full : bool, optional
@@ -26,8 +28,6 @@ class CompareJob(Job):
         Sets of each method, K; default 10.
     seed : int, optional
         Where chance begins; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

@@ -33,6 +33,8 @@ class DappleJob(Job):
     ----------
     output : Path, optional
         ``.png``, ``.svg``, ``.npy`` (tiles) or ``.cnf`` (clauses); default ``dapple.png``.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
     width, height : int, optional
         Size in cells; default 64 x 40, or the proportions of ``input``.
     limit : dict of str to number, optional
@@ -67,8 +69,6 @@ class DappleJob(Job):
         What each tile shows: ``"fill"`` (default), ``"strokes"`` or ``"arcs"``.
     seed : int, optional
         Where chance begins; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

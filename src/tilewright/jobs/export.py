@@ -17,18 +17,18 @@ class ExportJob(Job):
 
     Attributes
     ----------
-    folder : Path
-        A tile-set folder of textures.
     output : Path, optional
         The folder to write, or a picture of one map; default a folder named after the set and the target.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
+    folder : Path
+        A tile-set folder of textures.
     to : str, optional
         A target of `save_for_engine`; ``"atlas"`` (default) or ``"array"`` for a picture.
     map : str, optional
         Which map a picture shows; default the main one.
     lattice_seed : int, optional
         Seed of the tiling, built into shaders; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

@@ -29,6 +29,8 @@ class FlowJob(Job):
     ----------
     output : Path, optional
         ``.gif``, ``.webp``: an animation; ``.png``: a ``map``; ``.npz``: all arrays. Default ``flow.gif``.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
     width, height : int, optional
         Size in cells; default 40 x 25.
     limit : dict of str to number, optional
@@ -71,8 +73,6 @@ class FlowJob(Job):
         Frames per second; default 25.
     seed : int, optional
         Where chance begins; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

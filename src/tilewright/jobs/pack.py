@@ -32,6 +32,8 @@ class PackJob(Job):
     output : Path, optional
         ``.png``, ``.svg`` (a puzzle for a laser cutter) or ``.npy`` (tile indices, shape (C^2, C^2)); default
         named after the set.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
     tiles : str, optional
         ``"corner"`` (default) or ``"wang"``.
     colors : int, optional
@@ -48,8 +50,6 @@ class PackJob(Job):
         What is cut into the pieces: ``"none"`` (default), ``"colors"`` or ``"numbers"``.
     seed : int, optional
         Which packing the search finds; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

@@ -23,6 +23,8 @@ class PointsJob(Job):
     ----------
     output : Path, optional
         ``.npy``, ``.csv``, ``.parquet`` or ``.ply``.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
     method : str, optional
         A kind of point tiles, default ``"corner"``, or a sampler.
     tiles : Path, optional
@@ -47,8 +49,6 @@ class PointsJob(Job):
         Seed of the tiling; default 0.
     seed : int, optional
         Seed of the tiles, or of the sampler; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

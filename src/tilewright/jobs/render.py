@@ -19,10 +19,12 @@ class RenderJob(Job):
 
     Attributes
     ----------
-    folder : Path
-        A tile-set folder of textures.
     output : Path, optional
         The picture: ``.png``, ``.tif`` or ``.exr``; default a ``.png`` named after the set.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
+    folder : Path
+        A tile-set folder of textures.
     width, height : int, optional
         Size of the window in pixels; default 2,048.
     x, y : int, optional
@@ -35,8 +37,6 @@ class RenderJob(Job):
         Tiles along a pixel of ``density``; default 1.
     lattice_seed : int, optional
         Seed of the tiling; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

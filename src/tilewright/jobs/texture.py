@@ -28,11 +28,13 @@ class TextureJob(Job):
 
     Attributes
     ----------
-    photo : Path, optional
-        A photograph, or a folder of a material's maps.
     output : Path, optional
         The folder of the set; default that of ``like``, else one named after the photograph:
         ``moss-tiles``.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
+    photo : Path, optional
+        A photograph, or a folder of a material's maps.
     tiles : str, optional
         ``"corner"``, ``"wang"``, ``"cohen-8"``, ``"cohen-12"``, ``"cohen-18"`` or ``"corner-coded"``; default
         what suits the photograph, or ``"corner"`` with an older method.
@@ -73,8 +75,6 @@ class TextureJob(Job):
         Threads; default all processors.
     seed : int, optional
         The same seed gives the same bytes; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------

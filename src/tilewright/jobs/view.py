@@ -13,17 +13,17 @@ class ViewJob(Job):
 
     Attributes
     ----------
-    folder : Path
-        A tile-set folder of textures.
     output : Path, optional
         The ``.html`` file; default one named after the set.
+    force : bool, optional
+        Whether what is there already under the output's name may be replaced; default False.
+    folder : Path
+        A tile-set folder of textures.
     compare : bool, optional
         Show plain repetition, hex-tiling, by-example noise, and the other of Wang and corner tiles too;
         default False.
     lattice_seed : int, optional
         Seed of the tiling that the page begins with; default 0.
-    force : bool, optional
-        Whether what is there already under the output's name may be replaced; default False.
 
     Raises
     ------
