@@ -31,7 +31,7 @@ def make(kind, **options):
 @pytest.mark.parametrize("name", JOBS)
 def test_a_command_has_the_options_of_its_job(name):
     command = getattr(commands, name).command
-    options = set(inspect.signature(command).parameters) - {"json"}
+    options = set(inspect.signature(command).parameters) - {"json", "quiet", "dry_run"}
     options = {option.removesuffix("_methods") for option in options}
     known = {field.name for field in fields(JOBS[name])}
     assert known <= options

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Force, Json, argument, option
+from tilewright.cli.options import DryRun, Force, Json, Quiet, argument, option
 from tilewright.cli.performing import perform
 
 
@@ -33,6 +33,8 @@ def command(
         int, option("--seed", help="Seed of the tilings that are measured, from 0 on; default 0.")
     ] = 0,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Measure a tile set or a file of points: seams and repetition, or spacing and spectrum.

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Force, Json, argument, option
+from tilewright.cli.options import DryRun, Force, Json, Quiet, argument, option
 from tilewright.cli.performing import perform
 
 
@@ -43,6 +43,8 @@ def command(
     ] = "wang",
     seed: Annotated[int, option("--seed", help="Which of the tilings, from 0 on; default 0.")] = 0,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Tile the plane with an aperiodic set and draw it, or draw the set; or list the sets.

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Force, Json, option
+from tilewright.cli.options import DryRun, Force, Json, Quiet, option
 from tilewright.cli.performing import perform
 
 
@@ -84,6 +84,8 @@ def command(
         int, option("--seed", help="Seed of the wall and of how bricks look, from 0 on; default 0.")
     ] = 0,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Lay a wall of bricks and draw it: lit, as a folder of maps, or as SVG; or write its tiles.

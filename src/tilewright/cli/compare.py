@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Force, Json, Seed, option, parse_list
+from tilewright.cli.options import DryRun, Force, Json, Quiet, Seed, option, parse_list
 from tilewright.cli.performing import perform
 
 
@@ -21,6 +21,8 @@ def command(
     sets: Annotated[int, option(help="Number of point sets of each method; default 10.")] = 10,
     seed: Seed = 0,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Compare methods for blue-noise points: radius, spectrum, zone plate and time.

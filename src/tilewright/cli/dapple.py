@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Force, Json, option, parse_limits, parse_list
+from tilewright.cli.options import DryRun, Force, Json, Quiet, option, parse_limits, parse_list
 from tilewright.cli.performing import perform
 
 
@@ -84,6 +84,8 @@ def command(
         int, option("--seed", help="Seed of the start and of what is left to chance; default 0.")
     ] = 0,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Make a dappled tiling and draw it; or count such tilings, or write their clauses for a SAT solver.

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Force, Json, option, parse_limits
+from tilewright.cli.options import DryRun, Force, Json, Quiet, option, parse_limits
 from tilewright.cli.performing import perform
 
 
@@ -72,6 +72,8 @@ def command(
         int, option("--seed", help="Seed of the tiling and of the particles, from 0 on; default 0.")
     ] = 0,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Let particles walk over a dappled tiling of - and |, and make an animation or a map of them.

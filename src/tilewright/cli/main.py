@@ -23,8 +23,9 @@ from tilewright.cli import (
     render,
     texture,
     view,
+    warm,
 )
-from tilewright.cli.performing import Ending
+from tilewright.cli.performing import Ending, say
 from tilewright.errors import TilewrightError, TilewrightWarning
 
 _INTERRUPTED = 130
@@ -68,6 +69,7 @@ for command in (
     flow,
     aperiodic,
     export,
+    warm,
 ):
     app.command(command.__name__.rsplit(".", 1)[-1])(command.command)
 
@@ -132,7 +134,7 @@ def names_of(arguments: list[str]) -> Callable[[str], str]:
 
 
 def _say(message: str, code: int = 2) -> int:
-    print(f"tilewright: {' '.join(message.split())}", file=sys.stderr)
+    say(message)
     return code
 
 

@@ -17,6 +17,10 @@ Folder = Annotated[Path, argument(help="A tile-set folder made by `tilewright te
 Force = Annotated[
     bool, option("--force", help="Replace what is there already under the output's name; default no.")
 ]
+DryRun = Annotated[
+    bool, option("--dry-run", help="Say what would be written, and what it would cost; do nothing.")
+]
+Quiet = Annotated[bool, option("--quiet", "-q", help="Print no progress and no notes.")]
 Json = Annotated[bool, option("--json", help="Print one JSON object of the figures on stdout.")]
 Seed = Annotated[int, option("--seed", help="Seed of construction, from 0 on; default 0.")]
 

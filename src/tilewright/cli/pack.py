@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Force, Json, option
+from tilewright.cli.options import DryRun, Force, Json, Quiet, option
 from tilewright.cli.performing import perform
 
 
@@ -38,6 +38,8 @@ def command(
         int, option("--seed", help="Which packing --method search finds, from 0 on; default 0.")
     ] = 0,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Write a tile packing: every tile of the complete set once, on a torus, neighbors matching.

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Force, Json, LatticeSeed, option
+from tilewright.cli.options import DryRun, Force, Json, LatticeSeed, Quiet, option
 from tilewright.cli.performing import perform
 
 
@@ -54,6 +54,8 @@ def command(
         int, option("--seed", help="Seed of the point tiles, or of a sampler, from 0 on; default 0.")
     ] = 0,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Write blue-noise points: any window of an endless plane by tiles, or a set by a sampler without tiles.

@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import Folder, Force, Json, LatticeSeed, Map, NoSeed, option
+from tilewright.cli.options import DryRun, Folder, Force, Json, LatticeSeed, Map, NoSeed, Quiet, option
 from tilewright.cli.performing import perform
 
 
@@ -30,6 +30,8 @@ def command(
     lattice_seed: LatticeSeed = 0,
     seed: NoSeed = None,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Render a window of the endless plane.

@@ -4,8 +4,10 @@ from pathlib import Path
 from typing import Annotated
 
 from tilewright.cli.options import (
+    DryRun,
     Force,
     Json,
+    Quiet,
     Seed,
     argument,
     option,
@@ -117,6 +119,8 @@ def command(
     threads: Annotated[int | None, option(help="Number of threads; default all processors.")] = None,
     seed: Seed = 0,
     force: Force = False,
+    dry_run: DryRun = False,
+    quiet: Quiet = False,
     json: Json = False,
 ) -> None:
     """Make texture tiles from a photograph, or from the maps of a scanned material.

@@ -19,3 +19,4 @@ from .points import PointsJob as PointsJob
 from .render import RenderJob as RenderJob
 from .texture import TextureJob as TextureJob
 from .view import ViewJob as ViewJob
+from .warm import WarmJob as WarmJob

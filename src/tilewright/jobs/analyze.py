@@ -5,11 +5,11 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Job, Rule
+from tilewright.jobs.job import Done, Rule, WritingJob
 
 
 @dataclass(frozen=True, kw_only=True)
-class AnalyzeJob(Job):
+class AnalyzeJob(WritingJob):
     """Measure a tile-set folder, or the points of a file.
 
     Attributes

@@ -1,13 +1,13 @@
 """The job of the command ``aperiodic``: tilings that never repeat, and the sets that force them."""
 
-import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Job, Rule
+from tilewright.jobs.job import Done, Rule, WritingJob
 from tilewright.jobs.outputs import check_suffix, save_by_suffix
+from tilewright.kernels.compiling import Clock
 
 if TYPE_CHECKING:
     from tilewright.tiles import TileSet
@@ -17,7 +17,7 @@ _SUFFIXES = (".svg", ".png", ".npy")
 
 
 @dataclass(frozen=True, kw_only=True)
-class AperiodicJob(Job):
+class AperiodicJob(WritingJob):
     """Tile the plane with an aperiodic set and draw it, or draw the set; or list the sets.
 
     Attributes
@@ -84,7 +84,7 @@ class AperiodicJob(Job):
 
     def _run(self, progress: Progress | None) -> Done:
         """List, or make the set, lay it and draw it."""
-        started = time.perf_counter()
+        clock = Clock()
         if self.name is None:
             return _list_sets()
         if self.output is not None:
@@ -104,7 +104,7 @@ class AperiodicJob(Job):
             files = (self.target,)
             figures |= self._draw(files[0], tiles, tiling)
             said = f"{files[0]}: {said}{_remark(figures)}"
-        return Done(files, figures | {"seconds": round(time.perf_counter() - started, 3)}, said)
+        return Done(files, figures | {"seconds": round(clock.seconds, 3)}, said)
 
     def _lay(self, tiles: "TileSet", progress: Progress | None) -> "tuple[TileSet, Tiling | None]":
         """The set that is drawn, and its tiling where one is asked for."""

@@ -1,14 +1,14 @@
 """The job of the command ``bricks``: walls of bricks, drawn, as maps or as tiles."""
 
-import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice, check_int
 from tilewright.errors import Progress, TilewrightFileError
-from tilewright.jobs.job import Clash, Done, Job, Rule, useless
+from tilewright.jobs.job import Clash, Done, Rule, WritingJob, useless
 from tilewright.jobs.outputs import save_array
+from tilewright.kernels.compiling import Clock
 from tilewright.seeds import check_seed
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ _CLASH = "ask for different walls; give one of them"
 
 
 @dataclass(frozen=True, kw_only=True)
-class BricksJob(Job):
+class BricksJob(WritingJob):
     """Lay a wall of bricks and draw it; or write its maps, or its tiles.
 
     Attributes
@@ -126,7 +126,7 @@ class BricksJob(Job):
         from tilewright.fields import BondBricks, BrickField
         from tilewright.signals.bricks import BrickStyle
 
-        started = time.perf_counter()
+        clock = Clock()
         self._check()
         style = BrickStyle(self.colors, mortar=self.mortar, bevel=self.bevel)
         wall, (width, height) = self._lay()
@@ -138,7 +138,7 @@ class BricksJob(Job):
             field = BrickField(wall, style, size=size, seed=self.seed)
             across, down = self.size
             self._draw(field, (self.x * across, self.y * down, width * across, height * down), progress)
-        seconds = time.perf_counter() - started
+        seconds = clock.seconds
         figures = {
             "file": str(self.target), "width": width, "height": height, "seconds": round(seconds, 3)
         }  # fmt: skip

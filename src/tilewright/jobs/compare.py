@@ -1,15 +1,15 @@
 """The job of the command ``compare``: methods for blue-noise points side by side."""
 
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Job
+from tilewright.jobs.job import Done, WritingJob
+from tilewright.kernels.compiling import Clock
 
 
 @dataclass(frozen=True, kw_only=True)
-class CompareJob(Job):
+class CompareJob(WritingJob):
     """Compare methods for points as Lagae 2007, chapter 6, does.
 
     Attributes
@@ -51,13 +51,13 @@ class CompareJob(Job):
             known = {name: contender.source for name, contender in list_contenders().items()}
             lines = (f"{name:<22} {source}" for name, source in known.items())
             return Done((), dict(known), "\n".join(lines))
-        started = time.perf_counter()
+        clock = Clock()
         if self.output is not None:
             check_comparison_folder(self.output)
         found = compare(self.methods, full=self.full, sets=self.sets, seed=self.seed, progress=progress)
         if self.output is not None:
             found.save(self.output)
-        seconds = round(time.perf_counter() - started, 1)
+        seconds = round(clock.seconds, 1)
         files = () if self.output is None else (self.output,)
         figures = {"methods": found.plain_rows(), "seconds": seconds}
         return Done(files, figures, f"{found.table()}\n{seconds} s")

@@ -1,6 +1,5 @@
 """The job of the command ``dapple``: dappled tilings, their number, or their clauses."""
 
-import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,8 +7,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_int, check_real
 from tilewright.errors import Progress, TilewrightFileError, TilewrightValueError
-from tilewright.jobs.job import Done, Job, Rule, useless
+from tilewright.jobs.job import Done, Rule, WritingJob, useless
 from tilewright.jobs.outputs import check_output, save_by_suffix
+from tilewright.kernels.compiling import Clock
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -26,7 +26,7 @@ _LOOK = ("cell", "colors", "motif")
 
 
 @dataclass(frozen=True, kw_only=True)
-class DappleJob(Job):
+class DappleJob(WritingJob):
     """Make a dappled tiling and draw it; or count them, or write their clauses.
 
     Attributes
@@ -138,7 +138,7 @@ class DappleJob(Job):
 
     def _run(self, progress: Progress | None) -> Done:
         """Make, write and measure."""
-        started = time.perf_counter()
+        clock = Clock()
         conditions = self._conditions()
         if self.count:
             return self._count(conditions, progress)
@@ -149,7 +149,7 @@ class DappleJob(Job):
             cells, figures = self._make(conditions, progress)
             self._draw(cells, conditions)
             text = _sentence(self.target, figures)
-        spent = time.perf_counter() - started
+        spent = clock.seconds
         figures = {"file": str(self.target), **figures, "seconds": round(spent, 3)}
         return Done((self.target,), figures, f"{text}; {spent:.1f} s")
 

@@ -6,13 +6,13 @@ from typing import Any, ClassVar
 
 from tilewright.checks import check_choice
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Job, Rule
+from tilewright.jobs.job import Done, Rule, WritingJob
 
 _PICTURES = (".png", ".tif", ".tiff", ".exr", ".jpg", ".jpeg", ".bmp", ".tga", ".webp")
 
 
 @dataclass(frozen=True, kw_only=True)
-class ExportJob(Job):
+class ExportJob(WritingJob):
     """Write a tile-set folder for an engine, or one map as a picture.
 
     Attributes

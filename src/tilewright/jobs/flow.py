@@ -1,6 +1,5 @@
 """The job of the command ``flow``: particles on a dappled tiling, as an animation, a map or arrays."""
 
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,8 +7,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice, check_int, check_real
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Job, Rule, useless
+from tilewright.jobs.job import Done, Rule, WritingJob, useless
 from tilewright.jobs.outputs import check_output
+from tilewright.kernels.compiling import Clock
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -22,7 +22,7 @@ ANIMATION, DENSITY, TRAILS, ARRAYS = "an animation", "a density", "trails", "a .
 
 
 @dataclass(frozen=True, kw_only=True)
-class FlowJob(Job):
+class FlowJob(WritingJob):
     """Let particles walk over a dappled tiling of - and |, and write what they did.
 
     Attributes
@@ -145,7 +145,7 @@ class FlowJob(Job):
         """Dapple, walk and write."""
         from tilewright.flows import FlowTile, simulate_flow, strew_tiles
 
-        started = time.perf_counter()
+        clock = Clock()
         self._check()
         cells, tiles = strew_tiles(
             self._dapple(),
@@ -158,7 +158,7 @@ class FlowJob(Job):
             turns_back=not self.onward, every=self.interval, seed=self.seed, progress=progress,
         )  # fmt: skip
         self._write(flow, progress)
-        seconds = time.perf_counter() - started
+        seconds = clock.seconds
         figures = {"file": str(self.target), **flow.figures, "seconds": round(seconds, 3)}
         return Done((self.target,), figures, self._sentence(figures, seconds))
 

@@ -5,7 +5,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import Any, ClassVar, Generic, TypeVar
+from typing import Any, ClassVar, Generic, Self, TypeVar
 
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.files.atomic import check_outside
@@ -92,10 +92,91 @@ class Job(ABC):
 
     Options that were not given are None, False or the default that is written at them.
 
+    Raises
+    ------
+    TilewrightError
+        Options that clash, when the job is made; by `run`, what cannot be used, read or written.
+    """
+
+    RULES: ClassVar[tuple[Rule[Any], ...]] = ()
+
+    def __post_init__(self) -> None:
+        for rule in self.RULES:
+            if rule.broken(self):
+                raise Clash(rule.text)
+
+    def given(self, *names: str) -> bool:
+        """Tell whether any of these options differs from its default.
+
+        Parameters
+        ----------
+        *names : str
+            Names of options.
+
+        Returns
+        -------
+        bool
+            Whether one of them was given.
+        """
+        defaults = {field.name: field.default for field in fields(self)}
+        return any(getattr(self, name) != defaults[name] for name in names)
+
+    def run(self, progress: Progress | None = None) -> Done:
+        """Do the work.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            ``progress(done, total, what)`` is called as the work goes on; raise `Cancelled` in it to stop.
+
+        Returns
+        -------
+        Done
+            Files, figures and a sentence.
+        """
+        return self._settled()._run(progress)
+
+    def foresee(self) -> Done:
+        """Say what `run` would write, and what that would cost, where this can be known; do nothing.
+
+        Returns
+        -------
+        Done
+            No files; figures and a sentence.
+
+        Raises
+        ------
+        TilewrightError
+            What is there already and may not be replaced.
+        """
+        return self._settled()._foresee()
+
+    def _settled(self) -> Self:
+        """Decide what is decided before any work."""
+        return self
+
+    @abstractmethod
+    def _run(self, progress: Progress | None) -> Done:
+        """Do the work."""
+
+    def _foresee(self) -> Done:
+        figures = self._costs()
+        words = (f"{name.replace('_', ' ')} {value}" for name, value in figures.items())
+        return Done((), figures, ", ".join(words) or "nothing would be written")
+
+    def _costs(self) -> dict[str, Any]:
+        """What is known of the job before it is done: the output, counts, sizes, seconds."""
+        return {}
+
+
+@dataclass(frozen=True, kw_only=True)
+class WritingJob(Job):
+    """A job with an output, which takes the place of nothing else but by ``force``.
+
     Attributes
     ----------
     output : Path, optional
-        What is written; by default a name that is `usual`, with a number where it is there already.
+        What is written; by default what `usual` says, with a number where that is there already.
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
 
@@ -107,8 +188,6 @@ class Job(ABC):
 
     output: Path | None = None
     force: bool = False
-
-    RULES: ClassVar[tuple[Rule[Any], ...]] = ()
 
     @property
     def usual(self) -> str | None:
@@ -129,45 +208,14 @@ class Job(ABC):
             raise TilewrightValueError("is missing; this job writes nothing without", argument="output")
         return Path(name)
 
-    def __post_init__(self) -> None:
-        for rule in self.RULES:
-            if rule.broken(self):
-                raise Clash(rule.text)
-
-    def given(self, *names: str) -> bool:
-        """Tell whether any of these options differs from its default.
-
-        Parameters
-        ----------
-        *names : str
-            Names of options.
-
-        Returns
-        -------
-        bool
-            Whether one of them was given.
-        """
-        defaults = {field.name: field.default for field in fields(self)}  # type: ignore[arg-type]
-        return any(getattr(self, name) != defaults[name] for name in names)
-
-    def run(self, progress: Progress | None = None) -> Done:
-        """Do the work.
-
-        Parameters
-        ----------
-        progress : callable, optional
-            ``progress(done, total, what)`` is called as the work goes on; raise `Cancelled` in it to stop.
-
-        Returns
-        -------
-        Done
-            Files, figures and a sentence.
-        """
-        if self.output is None and self.usual is not None and not self.force:
-            return replace(self, output=find_free(self.usual))._run(progress)
-        if self.output is not None and not self.force:
+    def _settled(self) -> Self:
+        """Find a name for the output that may be written to."""
+        if self.force:
+            return self
+        if self.output is not None:
             self._keep(self.output)
-        return self._run(progress)
+            return self
+        return self if self.usual is None else replace(self, output=find_free(self.usual))
 
     def _keep(self, output: Path) -> None:
         """Refuse to replace what is there, before any work."""
@@ -175,6 +223,6 @@ class Job(ABC):
             check_outside(output, output.resolve())
             raise is_there(output)
 
-    @abstractmethod
-    def _run(self, progress: Progress | None) -> Done:
-        """Do the work, and write ``target``."""
+    def _costs(self) -> dict[str, Any]:
+        output = self.output or self.usual
+        return {} if output is None else {"output": str(output)}

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Job, Rule
+from tilewright.jobs.job import Done, Rule, WritingJob
 from tilewright.jobs.outputs import check_suffix, save_by_suffix
 from tilewright.seeds import check_seed
 
@@ -24,7 +24,7 @@ def _of_a_puzzle(name: str) -> "Rule[PackJob]":
 
 
 @dataclass(frozen=True, kw_only=True)
-class PackJob(Job):
+class PackJob(WritingJob):
     """Write a tile packing as indices, as a picture or as a jigsaw puzzle; or count all packings.
 
     Attributes

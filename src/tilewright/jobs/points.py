@@ -1,13 +1,15 @@
 """The job of the command ``points``: blue-noise points, of tiles or of a method without."""
 
-import time
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice
-from tilewright.errors import Progress
-from tilewright.jobs.job import Clash, Done, Job, Rule
+from tilewright.errors import Progress, TilewrightWarning
+from tilewright.files.ready import READY
+from tilewright.jobs.job import Clash, Done, Rule, WritingJob
+from tilewright.kernels.compiling import Clock
 
 if TYPE_CHECKING:
     from tilewright.files.point_files import Blocks
@@ -16,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class PointsJob(Job):
+class PointsJob(WritingJob):
     """Write points of a tiling, without end, or of a sampler.
 
     Attributes
@@ -85,6 +87,28 @@ class PointsJob(Job):
         """The window's, where it was given."""
         return None if self.width is None or self.height is None else (self.width, self.height)
 
+    def _costs(self) -> dict[str, Any]:
+        known = {} if self.count is None else {"count": self.count}
+        return super()._costs() | known | {"builds_tiles": self._builds}
+
+    @property
+    def _builds(self) -> bool:
+        """Whether point tiles have to be built, which takes seconds to minutes."""
+        from tilewright.signals.points import TILE_METHODS
+
+        return self.tiles is None and self.method in TILE_METHODS and not self._is_ready
+
+    @property
+    def _is_ready(self) -> bool:
+        """Whether the tiles come with the program."""
+        return self.method == "corner" and self.seed == 0 and self._settings in READY
+
+    @property
+    def _settings(self) -> tuple[int, int, float]:
+        """Of corner tiles: colors, points of a tile, relative radius."""
+        points = 32 if self.points is None else self.points
+        return (self.colors, points, 0.75 if self.rho is None else self.rho)
+
     def _run(self, progress: Progress | None) -> Done:
         """Make the points and write them, a piece at a time where they are many."""
         from tilewright.files import write_points
@@ -93,7 +117,7 @@ class PointsJob(Job):
         from tilewright.samplers import METHODS
         from tilewright.signals.points import TILE_METHODS
 
-        started = time.perf_counter()
+        clock = Clock()
         check_point_file(self.target)
         check_choice("method", self.method, (*TILE_METHODS, *METHODS))
         if self.save is not None:
@@ -101,7 +125,7 @@ class PointsJob(Job):
         sampled = self.tiles is None and self.method in METHODS
         result, total, promised = self._sample(progress) if sampled else self._lay(progress)
         write_points(self.target, result, total)
-        seconds = time.perf_counter() - started
+        seconds = clock.seconds
         figures = {
             "file": str(self.target), "count": total, "distance": promised, "seconds": round(seconds, 3)
         }  # fmt: skip
@@ -133,15 +157,19 @@ class PointsJob(Job):
 
     def _tiles(self, progress: Progress | None) -> "PointTiles":
         from tilewright.files import load_points, ready_tiles
-        from tilewright.files.ready import READY
         from tilewright.signals.points import make_point_tiles
 
         if self.tiles is not None:
             return load_points(self.tiles)
-        points = 32 if self.points is None else self.points
-        usual = (self.colors, points, 0.75 if self.rho is None else self.rho)
-        if self.method == "corner" and self.seed == 0 and usual in READY:
-            return ready_tiles(*usual)
+        if self._is_ready:
+            return ready_tiles(*self._settings)
+        if self.method == "corner" and self.seed != 0 and self._settings in READY:
+            warnings.warn(
+                "another seed builds a set of point tiles, which takes seconds to minutes; the lattice seed "
+                "gives other points of the set that is ready",
+                TilewrightWarning,
+                stacklevel=2,
+            )
         return make_point_tiles(
             self.method, self.points, self.rho, colors=self.colors, seed=self.seed, progress=progress
         )

@@ -1,12 +1,12 @@
 """The job of the command ``render``: a window of the endless plane as a picture."""
 
-import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Job
+from tilewright.jobs.job import Done, WritingJob
+from tilewright.kernels.compiling import Clock
 
 if TYPE_CHECKING:
     from tilewright.signals.textures import TextureTiles
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class RenderJob(Job):
+class RenderJob(WritingJob):
     """Render a window of the plane that a tile-set folder makes.
 
     Attributes
@@ -59,16 +59,19 @@ class RenderJob(Job):
         """Named after what it is made from."""
         return f"{self.folder.resolve().name}.png"
 
+    def _costs(self) -> dict[str, Any]:
+        return super()._costs() | {"width": self.width, "height": self.height}
+
     def _run(self, progress: Progress | None) -> Done:
         """Lay and save."""
         from tilewright.fields import TextureField
         from tilewright.files import load_texture
 
-        started = time.perf_counter()
+        clock = Clock()
         material = load_texture(self.folder)
         field = TextureField(material, self._tiling(material))
         field.save(self.target, self.x, self.y, self.width, self.height, map=self.map, progress=progress)
-        seconds = time.perf_counter() - started
+        seconds = clock.seconds
         figures = {
             "file": str(self.target), "width": self.width, "height": self.height,
             "seconds": round(seconds, 3),

@@ -1,6 +1,5 @@
 """The job of the command ``texture``: from photographs to a tile-set folder."""
 
-import time
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -9,11 +8,12 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice
 from tilewright.errors import Progress, TilewrightValueError, TilewrightWarning
-from tilewright.jobs.job import Done, Job, Rule, is_there, useless
+from tilewright.jobs.job import Done, Rule, WritingJob, is_there, useless
+from tilewright.kernels.compiling import Clock
 from tilewright.sameness import same
 
 if TYPE_CHECKING:
-    from tilewright.signals.textures import TextureTiles
+    from tilewright.signals.textures import Exemplar, TextureTiles
     from tilewright.tiles import TileSet
 
 _KINDS = ("corner", "wang", "cohen-8", "cohen-12", "cohen-18", "corner-coded")
@@ -23,7 +23,7 @@ _CUT = "{like}, which cuts as the old set was cut"
 
 
 @dataclass(frozen=True, kw_only=True)
-class TextureJob(Job):
+class TextureJob(WritingJob):
     """Make texture tiles from a photograph and save them; or make an old set again, or add maps to one.
 
     Attributes
@@ -159,14 +159,25 @@ class TextureJob(Job):
         if isinstance(self.tile_size, int) and self.tile_size != old.tile_size:
             return True
         tiles = self._tile_set()
-        return (tiles is not None and tiles != old.tiles) or not same(self._sources(), old.sources)
+        return (tiles is not None and tiles != old.tiles) or not same(self._exemplar().sources, old.sources)
+
+    def _costs(self) -> dict[str, Any]:
+        """Tiles, their size, and the time they take, as the photograph decides."""
+        from tilewright.signals.textures.synthesis import foresee
+
+        if self.from_ is not None or self.like is not None:
+            return super()._costs()
+        return super()._costs() | foresee(
+            self._exemplar(), self._tile_set(),
+            tile_size=self.tile_size, method=self.method, tone=self.tone, variants=self.variants,
+        )  # fmt: skip
 
     def _run(self, progress: Progress | None) -> Done:
         """Synthesize and save."""
         from tilewright.files import load_texture, save
         from tilewright.files.tileset_folder import check_savable
 
-        started = time.perf_counter()
+        clock = Clock()
         folder = self.output or self.like or self.target
         check_savable(folder, "texture")
         material = self._make(progress)
@@ -175,7 +186,7 @@ class TextureJob(Job):
             save(material, folder)
         elif load_texture(folder) != material:
             raise is_there(folder)
-        seconds = time.perf_counter() - started
+        seconds = clock.seconds
         figures = {
             "folder": str(folder),
             "tiles": len(material.tiles),
@@ -227,14 +238,16 @@ class TextureJob(Job):
             **self._meaning(),
         )
 
-    def _sources(self) -> Any:
+    def _exemplar(self) -> "Exemplar":
         """The pictures that the set is made of."""
         from tilewright.jobs.materials import open_exemplar
 
         with warnings.catch_warnings():  # notes come when they are opened for the work
             warnings.simplefilter("ignore", TilewrightWarning)
-            opened = open_exemplar(self._pictures(), second=self.second, mask=self.mask, **self._meaning())
-        return opened.sources
+            return open_exemplar(
+                self._pictures(), second=self.second, mask=self.mask, weights=dict(self.weight or {}),
+                **self._meaning(),
+            )  # fmt: skip
 
     def _meaning(self) -> dict[str, Any]:
         return {"kinds": dict(self.kind or {}), "normal": self.normal, "flatten": self.flatten}

@@ -4,11 +4,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Job
+from tilewright.jobs.job import Done, WritingJob
 
 
 @dataclass(frozen=True, kw_only=True)
-class ViewJob(Job):
+class ViewJob(WritingJob):
     """Write a page that shows the endless plane of a tile-set folder.
 
     Attributes

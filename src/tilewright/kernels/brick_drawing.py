@@ -274,7 +274,7 @@ def paint_row(y, index, bricks, keys, noise, edges, finish, mortar, surface):
     """Paint a row of pixels, run by run of those that one brick holds; see `paint_bricks`."""
     w = index.size
     own, bed = np.empty((3, w), np.float32), np.zeros((3, w), np.float32)
-    inside, ends = np.empty(w, np.float32), np.empty(w, np.int32)
+    inside, ends = np.empty(w, np.float32), np.empty(w, np.int64)
     count = list_runs(index, ends)
     first = 0
     for r in range(count):

@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import numba
+from numba.core import event as events
 from numba.core.types import unliteral
 from platformdirs import user_cache_path
 
+from tilewright.kernels.compiling import Compiling
 from tilewright.kernels.threads import ParallelKernel
 
 
@@ -24,6 +26,19 @@ def _cache_folder() -> Path:
 
 
 _FOLDER = str(_cache_folder())
+
+
+class _Listener(events.Listener):
+    """Passes on when numba compiles what was not on disk."""
+
+    def on_start(self, event: Any) -> None:
+        Compiling.begin()
+
+    def on_end(self, event: Any) -> None:
+        Compiling.end()
+
+
+events.register("numba:compile", _Listener())
 
 
 def kernel(*, parallel: bool = False, inline: bool = False) -> Callable[..., Any]:

@@ -81,6 +81,11 @@ def warn_of_misfit(regularity: Regularity, size: int) -> None:
         )
 
 
+def expected_seconds(count: int, size: int, drafted: bool) -> float:
+    """About how long so many tiles of a size take on two cores."""
+    return count * _SECONDS * (size / 128) ** 2 * (_DRAFTED if drafted and size > 128 else 1)
+
+
 def check_cost(count: int, size: int, drafted: bool) -> None:
     """Refuse what cannot be held, and say what will take long."""
     if count * size * size > MOST_PIXELS:
@@ -88,7 +93,7 @@ def check_cost(count: int, size: int, drafted: bool) -> None:
             f"{count} tiles of {size} x {size} pixels are {count * size * size} pixels; allowed are "
             f"{MOST_PIXELS}: choose fewer colors or a smaller tile size"
         )
-    minutes = count * _SECONDS * (size / 128) ** 2 * (_DRAFTED if drafted and size > 128 else 1) / 60
+    minutes = expected_seconds(count, size, drafted) / 60
     if minutes > 2:
         warnings.warn(
             f"{count} tiles of {size} x {size} pixels take about {minutes:.0f} minutes on two cores",

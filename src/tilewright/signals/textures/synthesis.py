@@ -4,6 +4,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from tilewright.signals.textures.choices import (
     check_choices,
     check_cost,
     check_size,
+    expected_seconds,
     to_sheet,
     to_source,
     warn_of_clone,
@@ -25,13 +27,18 @@ from tilewright.signals.textures.exemplar import Exemplar
 from tilewright.signals.textures.lone import lone_things_of
 from tilewright.signals.textures.methods import check_method, find_method
 from tilewright.signals.textures.recipe import Recipe, Spot
-from tilewright.signals.textures.regularity import find_regularity, suited_tile_size
+from tilewright.signals.textures.regularity import Regularity, find_regularity, suited_tile_size
 from tilewright.signals.textures.seams import copy_maps
 from tilewright.signals.textures.search import Ledger, PatchSearch
 from tilewright.signals.textures.sheet import make_sheet
 from tilewright.signals.textures.texture_tiles import TextureTiles
 from tilewright.signals.textures.tone import take_tone
-from tilewright.signals.textures.treatment import find_treatment, plain_treatment, usual_size
+from tilewright.signals.textures.treatment import (
+    Treatment,
+    find_treatment,
+    plain_treatment,
+    usual_size,
+)
 from tilewright.tiles import TileSet
 from tilewright.tiles.variants import Variants
 
@@ -125,23 +132,14 @@ def synthesize(
     check_type("exemplar", exemplar, Exemplar, "an Exemplar")
     pick, reject = check_choices(pick, reject)
     method = check_method(method, tiles, variants)
-    size = check_size(tile_size)
+    check_size(tile_size)
     if not (tone is None or isinstance(tone, bool)):
         raise type_error("tone", tone, "True, False or None")
     from tilewright.kernels.threads import at_most
 
     with at_most(workers), ThreadPoolExecutor(workers) as pool:
         # Step 1: what the photograph asks for, where nobody asks otherwise.
-        regularity = find_regularity(next(iter(exemplar.sources[0].values())))
-        if tiles is None or method == "faithful":
-            # Seen at its usual size, so that a set made again is treated as it was.
-            character = find_character(exemplar, regularity, usual_size(exemplar))
-            treatment = find_treatment(exemplar, character, tiles, size, tone)
-        else:
-            treatment = plain_treatment(
-                tiles, suited_tile_size(regularity) if tile_size == "auto" else size, tone
-            )
-            warn_of_misfit(regularity, treatment.tile_size)
+        regularity, treatment = _treat(exemplar, tiles, tile_size, method, tone)
         tiles, size = treatment.tiles, treatment.tile_size
         warn_of_clone(regularity)
         check_cost(len(tiles) * variants, size, treatment.manner.jointly)
@@ -205,6 +203,38 @@ def synthesize(
             rows,
             toned,
         )
+
+
+def _treat(
+    exemplar: Exemplar, tiles: TileSet | None, tile_size: int | str | None, method: str, tone: bool | None
+) -> tuple[Regularity, Treatment]:
+    """What is regular in a photograph, and what is decided for it."""
+    size = check_size(tile_size)
+    regularity = find_regularity(next(iter(exemplar.sources[0].values())))
+    if tiles is None or method == "faithful":
+        # Seen at its usual size, so that a set made again is treated as it was.
+        character = find_character(exemplar, regularity, usual_size(exemplar))
+        return regularity, find_treatment(exemplar, character, tiles, size, tone)
+    treatment = plain_treatment(tiles, suited_tile_size(regularity) if tile_size == "auto" else size, tone)
+    warn_of_misfit(regularity, treatment.tile_size)
+    return regularity, treatment
+
+
+def foresee(
+    exemplar: Exemplar,
+    tiles: TileSet | None = None,
+    *,
+    tile_size: int | str | None = None,
+    method: str | None = None,
+    tone: bool | None = None,
+    variants: int = 1,
+) -> dict[str, Any]:
+    """What `synthesize` would make of the same arguments, and about what that costs on two cores."""
+    method = check_method(method, tiles, variants)
+    treatment = _treat(exemplar, tiles, tile_size, method, tone)[1]
+    count, size = len(treatment.tiles) * variants, treatment.tile_size
+    seconds = expected_seconds(count, size, treatment.manner.jointly)
+    return {"tiles": len(treatment.tiles), "pictures": count, "tile_size": size, "seconds": round(seconds, 1)}
 
 
 def resynthesize(
