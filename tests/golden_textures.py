@@ -12,6 +12,19 @@ WINDOWS = {"near": (-40, -30, 100, 70), "far": (2**45 + 5, -(2**45), 50, 40)}
 KINDS = {"uint8": np.uint8, "uint16": np.uint16, "float32": np.float32}
 
 
+class About:
+    """A picture of which only means are known on every processor."""
+
+    def __init__(self, pixels):
+        self.pixels = pixels
+
+    def sketch(self):
+        """Means of four by four parts of every channel."""
+        rows = np.array_split(self.pixels.astype(np.float64), 4)
+        parts = [part for row in rows for part in np.array_split(row, 4, axis=1)]
+        return [float(f"{mean:.9g}") for part in parts for mean in part.mean(axis=(0, 1))]
+
+
 @cache
 def noise(seed, channels=3, side=SIDE):
     """Smooth noise of two scales from 0 to 1, exact in any processor's arithmetic."""
@@ -121,7 +134,7 @@ def texture_default():
         for map in toned.maps:
             laid = tw.TextureField(toned, tw.direct(toned.tiles, 7))
             yield f"laid {map} {window}", laid.render(*where, map=map)
-        yield f"laid light {window}", tw.TextureField(light, tw.direct(light.tiles, 7)).render(*where)
+        yield f"laid light {window}", About(tw.TextureField(light, tw.direct(light.tiles, 7)).render(*where))
     wall = tw.BrickField(tw.BondBricks("running-bond", (16, 8))).render(width=128, height=128)
     yield from parts_of("courses", make(wall, None, tile_size=None))
 
@@ -156,7 +169,9 @@ def texture_fields():
             for kind in KINDS:
                 for window, where in WINDOWS.items():
                     made = plane(photo(kind=kind), **seed)
-                    yield f"{name} {kind} {seed} {window}", made.render(*where)
+                    shown = made.render(*where)
+                    exact = kind == "uint8" or name != "hex"
+                    yield f"{name} {kind} {seed} {window}", shown if exact else About(shown)
     beside = tw.side_by_side(material(), seed=3)
     for name, one in beside.contenders.items():
         yield f"beside {name}", one.field.render(-9, -8, 40, 30)

@@ -108,6 +108,13 @@ def command(
         list[str] | None,
         option(metavar="NAME", help="Name of a patch that must come from elsewhere, such as center:5."),
     ] = None,
+    reseed_rest: Annotated[
+        bool,
+        option(
+            "--reseed-rest",
+            help="With --from, search for all patches again; default no: the others stay where they are.",
+        ),
+    ] = False,
     pick: Annotated[
         list[str] | None,
         option(metavar="NAME=SOURCE,Y,X", help="Place in a source, in pixels, for a patch by name."),

@@ -69,6 +69,8 @@ class TextureJob(WritingJob):
         A set that gets the maps of ``map``, cut as it was cut.
     reject : sequence of str, optional
         Names of patches that must come from elsewhere.
+    reseed_rest : bool, optional
+        Whether a set made again is searched for anew as a whole; default False: all other patches stay.
     pick : dict of str to (int, int, int), optional
         Places (source, y, x) of patches by name.
     threads : int, optional
@@ -99,6 +101,7 @@ class TextureJob(WritingJob):
     from_: Path | None = None
     like: Path | None = None
     reject: Sequence[str] | None = None
+    reseed_rest: bool = False
     pick: Mapping[str, tuple[int, int, int]] | None = None
     threads: int | None = None
     seed: int = 0
@@ -116,6 +119,10 @@ class TextureJob(WritingJob):
         Rule(
             lambda job: job.reject and not job.from_,
             "{reject} names patches of a set that exists; give it with {from_}",
+        ),
+        Rule(
+            lambda job: job.reseed_rest and not job.from_,
+            "{reseed_rest} is about a set that exists; give it with {from_}",
         ),
         Rule(
             lambda job: not (job.photo or job.map or job.from_ or job.like),
@@ -217,7 +224,8 @@ class TextureJob(WritingJob):
         if self.from_ is not None:
             return resynthesize(
                 load_texture(self.from_),
-                reject=self.reject or [], pick=self.pick, threads=self.threads, progress=progress,
+                reject=self.reject or [], pick=self.pick, reseed_rest=self.reseed_rest,
+                threads=self.threads, progress=progress,
             )  # fmt: skip
         if self.like is not None:
             return self._add(load_texture(self.like))

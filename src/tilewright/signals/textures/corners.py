@@ -31,6 +31,8 @@ def choose_corners(search: PatchSearch, plan: Plan, overlap: int, rng: np.random
     (first after second, east and south); positions are added one by one so that the sum over all pairs
     is least. All are at least half a tile apart.
     """
+    if search.kept is not None and not search.kept.moves_corners:
+        return _record_picked(search, plan)
     # Step 1: places at random, where the papers take one for each color (Lagae & Dutré 2006, section 5.1).
     candidates = _candidates(search, plan, overlap, rng)
     # Step 2: how badly any two of them meet across an edge, and how conspicuous each is.
@@ -56,8 +58,8 @@ def choose_meeting_corners(
     As `choose_corners`, but a sum over the pairs at the ends of the plan's edges alone, and made less by
     choosing one patch after the other anew (coordinate descent).
     """
-    if search.places_known:
-        return _record(search, [search.ledger.picked[f"corner:{c}"] for c in range(len(plan.corner_sources))])
+    if search.places_known or (search.kept is not None and not search.kept.moves_corners):
+        return _record_picked(search, plan)
     # Step 1: places in step with the lattice, without lone things as far as there are others.
     candidates = _candidates(search, plan, overlap, rng)
     # Step 2: how badly any two of them meet, and how conspicuous each is.
@@ -220,6 +222,11 @@ def _next_corner(
             f"{len(candidates.free)} corner colors with tiles of {size} pixels"
         )
     return best
+
+
+def _record_picked(search: PatchSearch, plan: Plan) -> list[Place]:
+    """Corner patches that are all where they were picked."""
+    return _record(search, [search.ledger.picked[f"corner:{c}"] for c in range(len(plan.corner_sources))])
 
 
 def _record(search: PatchSearch, corners: list[Place]) -> list[Place]:

@@ -45,9 +45,14 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, varian
     frame = Frame(search.size)
     choose = choose_meeting_corners if search.manner.jointly else choose_corners
     corners = choose(search, plan, overlap_of(search), rng)
-    edges: list[Patchwork] = []
+    edges: list[Patchwork | None] = []
     edge_places: list[list[Place]] = []
-    for edge in plan.edges:
+    needed = search.kept.edges_to_lay(plan) if search.kept else range(len(plan.edges))
+    for number, edge in enumerate(plan.edges):
+        if number not in needed:
+            edges.append(None)
+            edge_places.append(keep_edge(search, frame, edge))
+            continue
         seen = [
             p
             for e, ps in zip(plan.edges[: len(edge_places)], edge_places, strict=True)
@@ -59,11 +64,11 @@ def lay_nested(search: PatchSearch, plan: Plan, rng: np.random.Generator, varian
         edge_places.append(places)
 
     def opening_of(tile: int) -> Opening:
-        canvas = join_edges(frame, [edges[e] for e in plan.tile_edges[tile]])
+        canvas = join_edges(frame, [edge for e in plan.tile_edges[tile] if (edge := edges[e])])
         shown = shown_in_tile(frame, plan, tile, corners, edge_places)
         return center_opening(search, frame, canvas, plan.sources_of_tile(tile), shown)
 
-    return lay_centers(search, opening_of, len(plan.tile_edges), variants)
+    return lay_centers(search, opening_of, len(plan.tile_edges), variants, plan)
 
 
 def overlap_of(search: PatchSearch) -> int:
@@ -77,7 +82,11 @@ def corner_reach(search: PatchSearch) -> int:
 
 
 def lay_centers(
-    search: PatchSearch, opening_of: Callable[[int], Opening], count: int, variants: int
+    search: PatchSearch,
+    opening_of: Callable[[int], Opening],
+    count: int,
+    variants: int,
+    plan: Plan | None = None,
 ) -> Patchwork:
     """Give each tile as many patches of its own as there are variants, over what it shares with others.
 
@@ -89,6 +98,12 @@ def lay_centers(
     for variant in range(variants):
         for tile in range(count):
             name = f"center:{tile}:{variant}" if variant else f"center:{tile}"
+            if search.kept and search.kept.stays(name, tile, plan):
+                canvas, place = search.kept.picture(tile, variant), search.ledger.picked[name]
+                search.record(name, place, search.kept.shown(tile, variant, place))
+                rows[tile, variant], columns[tile, variant] = canvas.rows, canvas.columns
+                centers.append(place)
+                continue
             waiting = replace(opening_of(tile), earlier=centers)
             if variant:
                 # What all of them bar is then no larger a part of the exemplar than without variants.
@@ -97,6 +112,15 @@ def lay_centers(
             rows[tile, variant], columns[tile, variant] = canvas.rows, canvas.columns
             centers.append(place)
     return Patchwork(*(part.reshape(-1, search.size, search.size) for part in (rows, columns)))
+
+
+def keep_edge(search: PatchSearch, frame: Frame, edge: Edge) -> list[Place]:
+    """The place of an edge's own patch, if it has one, where no tile with that edge is laid anew."""
+    if search.manner.plain_edges:
+        return []
+    place = search.ledger.picked[edge.name]
+    search.record(edge.name, place, edge_core(frame, edge, 1))
+    return [place]
 
 
 def lay_edge(
@@ -119,8 +143,7 @@ def lay_edge(
     # Step 2: lay the edge's own patch over the middle of the seam.
     sources = plan.sources_of_edge(edge)
     shrink = MIXED_CORE if len(sources) > 1 else 1
-    length, width = (c * frame.size * shrink for c in EDGE_CORE)
-    core = (np.abs(along) < length) & (np.abs(across) < width)
+    core = edge_core(frame, edge, shrink)
     # The corners of tiles are left to the corner patches, and the cut has a pixel to the diamond's border.
     limit = np.abs(frame.u) + np.abs(frame.v) < frame.half - 1
     limit &= np.abs(along) < frame.half - shared_border(frame.size)
@@ -140,6 +163,13 @@ def lay_edge(
     )
     canvas, place = search.lay(edge.name, opening)
     return canvas, [place]
+
+
+def edge_core(frame: Frame, edge: Edge, shrink: float) -> NDArray[np.bool_]:
+    """The part of an edge's canvas that its own patch must fill."""
+    along, across = frame.along_across(edge.axis)
+    length, width = (c * frame.size * shrink for c in EDGE_CORE)
+    return (np.abs(along) < length) & (np.abs(across) < width)
 
 
 def cut_ends(

@@ -18,6 +18,7 @@ from scipy.ndimage import binary_dilation, gaussian_filter, uniform_filter
 
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.signals.textures.bars import FEWEST_OPEN, Bars
+from tilewright.signals.textures.keeping import Kept
 from tilewright.signals.textures.manner import NESTED, Manner
 from tilewright.signals.textures.matching import Matcher, bar_places, best_places
 from tilewright.signals.textures.patchwork import FORCED_NEW, FORCED_OLD, OPEN, Patchwork, thinned
@@ -174,9 +175,11 @@ class PatchSearch:
         total: int,
         rng: np.random.Generator,
         manner: Manner = NESTED,
+        kept: Kept | None = None,
     ) -> None:
         self.sheet = sheet
         self.manner = manner
+        self.kept = kept
         self.places_known = False
         self.size = size
         self.ledger = ledger
@@ -256,12 +259,16 @@ class PatchSearch:
             where = self.cut(opening, place)
         else:
             place, where, _ = self._cut_all(self.full, opening, promise, drafts)[0]
-        shown = where & (opening.state != FORCED_OLD)
-        self._mark_used(place, shown)
+        self.record(name, place, where & (opening.state != FORCED_OLD))
+        return opening.canvas.with_patch(place, where), place
+
+    def record(self, name: str, place: Place, shown: NDArray[np.bool_]) -> None:
+        """Note that a patch lies, and what of its window shows."""
+        y, x = place
+        self.used[y : y + self.size, x : x + self.size] += shown
         self.bars.bar_shown(place, shown)
         self.ledger.laid[name] = place
         self.step(name)
-        return opening.canvas.with_patch(place, where), place
 
     def cut(self, opening: Opening, place: Place) -> NDArray[np.bool_]:
         """Where a patch lies that is cut in at a place; if places are known, near cuts at smaller scales."""
@@ -364,10 +371,6 @@ class PatchSearch:
     ) -> NDArray[np.float32]:
         """How much boxes around the given sheet pixels stand out."""
         return uniform_filter(self.conspicuous, side, mode="nearest")[rows, columns]
-
-    def _mark_used(self, place: Place, where: NDArray[np.bool_]) -> None:
-        y, x = place
-        self.used[y : y + self.size, x : x + self.size] += where
 
     def checked_pick(self, name: str) -> Place:
         """The place picked for a patch, if a window fits there."""

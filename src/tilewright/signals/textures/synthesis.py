@@ -24,6 +24,7 @@ from tilewright.signals.textures.choices import (
 )
 from tilewright.signals.textures.drafting import draft_step, know_places, reduce_main
 from tilewright.signals.textures.exemplar import Exemplar
+from tilewright.signals.textures.keeping import Earlier, Kept
 from tilewright.signals.textures.lone import lone_things_of
 from tilewright.signals.textures.methods import check_method, find_method
 from tilewright.signals.textures.recipe import Recipe, Spot
@@ -127,6 +128,28 @@ def synthesize(
     >>> material.pixels.shape
     (16, 16, 16, 3)
     """
+    return _synthesize(
+        exemplar, tiles, tile_size=tile_size, seed=seed, method=method, tone=tone, variants=variants,
+        pick=pick, reject=reject, threads=threads, progress=progress,
+    )  # fmt: skip
+
+
+def _synthesize(
+    exemplar: Exemplar,
+    tiles: TileSet | None,
+    *,
+    tile_size: int | str | None,
+    seed: int,
+    method: str | None,
+    tone: bool | None,
+    variants: int,
+    pick: Mapping[str, Spot] | None,
+    reject: Mapping[str, Sequence[Spot]] | None,
+    threads: int | None,
+    progress: Progress | None,
+    earlier: Earlier | None = None,
+) -> TextureTiles:
+    """As `synthesize`; of an earlier set only what touches its changed patches is made anew."""
     check_seed(seed)
     workers = os.cpu_count() or 1 if threads is None else check_int("threads", threads, 1, 1024)
     check_type("exemplar", exemplar, Exemplar, "an Exemplar")
@@ -164,7 +187,8 @@ def synthesize(
         picked, period, rng = dict(ledger.picked), treatment.period(regularity), np.random.default_rng(seed)
         lay, total = find_method(method, tiles, len(exemplar.sources), variants, manner)
         own = manner if step == 1 else treatment.manner
-        search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, own)
+        kept = None if earlier is None else Kept.of(sheet, earlier, variants)
+        search = PatchSearch(sheet, size, ledger, period, pool, progress, total, rng, own, kept)
         if step > 1:
             know_places(search, manner, seen, step, lay)
         canvas = lay(search, rng)
@@ -242,12 +266,15 @@ def resynthesize(
     *,
     reject: Iterable[str] = (),
     pick: Mapping[str, Spot] | None = None,
+    reseed_rest: bool = False,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> TextureTiles:
     """Make a set again with some of its patches rejected ("not this one") or picked by hand.
 
-    What was rejected and picked before stays so, and so do the weights of variants.
+    All other patches stay where they are, and only the tiles that show one of the named patches are cut
+    again: one tile for a center patch. What was rejected and picked before stays so, and so do the weights
+    of variants.
 
     Parameters
     ----------
@@ -258,6 +285,9 @@ def resynthesize(
         from now on. By default none.
     pick : dict of str to (source, y, x), optional
         Places for named patches, instead of a search; by default none.
+    reseed_rest : bool, optional
+        Whether the patches that are not named are searched for again too, as if the set were made for the
+        first time; default False.
     threads : int, optional
         Number of threads, 1 to 1,024; by default one for each processor.
     progress : callable, optional
@@ -282,14 +312,17 @@ def resynthesize(
         raise type_error("pick", pick, "a dict of patch name to (source, y, x)")
     rejected = {name: list(spots) for name, spots in recipe.rejected.items()}
     picked = recipe.picked | dict(pick or {})
-    for name in reject:
+    rejected_now = list(reject)
+    for name in rejected_now:
         if name not in recipe.patches:
             raise TilewrightValueError(
                 f"no patch is called {name!r}; this set has {', '.join(sorted(recipe.patches)[:6])}, ..."
             )
         rejected.setdefault(name, []).append(recipe.patches[name])
         picked.pop(name, None)
-    made = synthesize(
+    changed = frozenset(rejected_now) | frozenset(pick or {})
+    stay = {} if reseed_rest else {n: spot for n, spot in recipe.patches.items() if n not in changed}
+    made = _synthesize(
         Exemplar(material.sources, material.masks or None, recipe.weights, material.kinds),
         material.tiles,
         tile_size=recipe.tile_size,
@@ -297,9 +330,12 @@ def resynthesize(
         method=recipe.method,
         variants=recipe.variants,
         tone=recipe.tone,
-        pick=picked,
+        pick=stay | picked,
         reject=rejected,
         threads=threads,
         progress=progress,
+        earlier=None if reseed_rest else Earlier(material.origins, changed),
     )
-    return replace(made, variants=material.variants)
+    told = Recipe.of(made)
+    told.picked = picked
+    return replace(made, recipe=told.to_dict(), variants=material.variants)
