@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import tilewright as tw
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 
 @pytest.fixture(scope="module")
@@ -82,3 +82,17 @@ def test_thin_boxes_end(torus, extent):
     else:
         assert tw.coverage_radius(points) > 0
     assert time.perf_counter() - started < 20
+
+
+def test_what_is_no_box_and_no_function_is_said_at_once():
+    points = tw.sample_points("dart", 10)
+    for call in (
+        lambda: tw.max_radius(10, 7),
+        lambda: tw.relative_radius(points, box=7),
+        lambda: tw.PointSet(points.points, 3).max_radius,
+        lambda: tw.sample_points("dart", 10, progress=3),
+        lambda: tw.analyze(points, progress=3),
+        lambda: tw.power_spectrum(points, progress=3),
+    ):
+        with pytest.raises(TilewrightTypeError):
+            call()

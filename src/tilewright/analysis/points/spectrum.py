@@ -17,7 +17,7 @@ from tilewright.analysis.points.periodograms import (
     unfold,
 )
 from tilewright.analysis.points.rings import effective_nyquist, oscillation, oscillation_start
-from tilewright.checks import check_flag, check_int, check_type, type_error
+from tilewright.checks import check_flag, check_int, check_progress, check_type, type_error
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
@@ -248,6 +248,7 @@ def power_spectrum(
     given = check_sets(sets)
     check_shape(given[0].box)
     check_flag("tapered", tapered)
+    check_progress(progress)
     width = _check_size(size, max(len(s) for s in given))
     power = unfold(mean_half_periodogram(given, width, progress, tapered))
     power[power.shape[0] // 2, power.shape[1] // 2] = 0
