@@ -51,8 +51,8 @@ def plot_points(points: PointSet | ArrayLike, path: AnyPath | None = None) -> "F
     --------
     >>> import tilewright as tw
     >>> figure = tw.plot_points(tw.sample_points("dart", 100, seed=1))
-    >>> figure.axes[0].get_xlim()
-    (0.0, 1.0)
+    >>> [float(x) for x in figure.axes[0].get_xlim()]
+    [0.0, 1.0]
     """
     need_plots()
     if path is not None:
