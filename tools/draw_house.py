@@ -26,9 +26,11 @@ HOLDS = {
     "kernels": "compiled loops",
     "pixels": "channels and colors",
     "showing": "one line",
+    "tabling": "columns",
     "sameness": "equal content",
     "seeds": "chance",
     "checks": "one clear line",
+    "extras": "what is installed",
     "errors": "one family",
 }
 COLORS = ("#27548f", "#2f6690", "#3a7580", "#45806a", "#5d8050", "#7d7a3c", "#94703a", "#99603a", "#8a5040")

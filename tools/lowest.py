@@ -39,7 +39,8 @@ def main() -> None:
     parser.add_argument("--list", action="store_true", help="print the versions and end")
     given = parser.parse_args()
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    bounds = lower_bounds([*project["dependencies"], *project["optional-dependencies"][EXTRA]])
+    extras = project["optional-dependencies"]
+    bounds = lower_bounds([*project["dependencies"], *requirements_of(EXTRA, extras)])
     if given.list:
         print("\n".join(bounds))
         return
@@ -47,6 +48,18 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="tilewright-lowest-") as folder:
         python = install(Path(folder), bounds)
         sys.exit(run_tests(python))
+
+
+def requirements_of(extra: str, extras: dict[str, list[str]]) -> list[str]:
+    """What an extra asks for, with that of the project's other extras which it names."""
+    found = []
+    for requirement in extras[extra]:
+        match = re.fullmatch(r"tilewright\[([\w,]+)\]", requirement)
+        named = match[1].split(",") if match else []
+        found += (
+            [part for name in named for part in requirements_of(name, extras)] if match else [requirement]
+        )
+    return found
 
 
 def lower_bounds(requirements: list[str]) -> list[str]:

@@ -16,6 +16,7 @@ from .analysis import (
     lattice_spikes as lattice_spikes,
     nearest_mean as nearest_mean,
     periodogram as periodogram,
+    plot_points as plot_points,
     power_spectrum as power_spectrum,
     radial_distribution as radial_distribution,
     zone_plate as zone_plate,
@@ -49,6 +50,9 @@ from .export.drawing import (
     paint_tiling as paint_tiling,
     save_animation as save_animation,
     save_svg as save_svg,
+)
+from .extras import (
+    MissingExtra as MissingExtra,
 )
 from .fields import (
     BondBricks as BondBricks,

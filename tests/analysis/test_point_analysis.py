@@ -249,7 +249,8 @@ def test_a_sheet_needs_a_place(tmp_path):
     report = analyze_points(white(50))
     assert isinstance(report, PointReport)
     one_line(TilewrightValueError, "suffix", lambda: report.save_sheet(tmp_path / "sheet.gif"))
-    one_line(TilewrightError, "does not exist", lambda: report.save_sheet(tmp_path / "no" / "sheet.png"))
+    (tmp_path / "no").touch()
+    one_line(TilewrightError, "not a folder", lambda: report.save_sheet(tmp_path / "no" / "sheet.png"))
 
 
 def test_coincident_points_are_measured():

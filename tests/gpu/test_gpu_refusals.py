@@ -32,7 +32,7 @@ def test_nothing_imports_wgpu_before_a_field_is_made():
 def test_without_wgpu(monkeypatch):
     monkeypatch.setitem(sys.modules, "wgpu", None)
     monkeypatch.setattr(device_module, "open_gpu", open_gpu.__wrapped__)
-    with pytest.raises(GpuError, match=r"pip install tilewright\[gpu\]$"):
+    with pytest.raises(GpuError, match=r'pip install "tilewright\[gpu\]"$'):
         device_module.open_gpu()
     assert issubclass(GpuError, TilewrightError)
 

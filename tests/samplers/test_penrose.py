@@ -1,5 +1,8 @@
 """Penrose points: the parts tile, the codes number the vertices, the vectors keep points apart."""
 
+import os
+import subprocess
+import sys
 from math import log
 
 import numpy as np
@@ -177,3 +180,16 @@ def test_progress_can_stop_it():
 
     with pytest.raises(Cancelled):
         penrose_points(100, progress=stop)
+
+
+def test_points_do_not_depend_on_the_library_for_matrices():
+    """OpenBLAS has other code for other processors."""
+    made = "tw.sample_points('penrose', 500, box=tw.Box(torus=False)).points.tobytes()"
+    code = f"import tilewright as tw; print({made})"
+    made = [
+        subprocess.run(
+            [sys.executable, "-c", code], check=True, capture_output=True, env={**os.environ, **core}
+        ).stdout
+        for core in ({}, {"OPENBLAS_CORETYPE": "Prescott"})
+    ]
+    assert made[0] == made[1]

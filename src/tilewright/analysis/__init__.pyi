@@ -21,6 +21,9 @@ from .points.plates import (
     zone_plate as zone_plate,
     zone_plate_reference as zone_plate_reference,
 )
+from .points.plots import (
+    plot_points as plot_points,
+)
 from .points.report import (
     POINT_MEANING as POINT_MEANING,
     PointReport as PointReport,

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from tilewright.analysis.points.laid_tiles import analyze_point_tiles
 from tilewright.analysis.points.report import PointReport, analyze_points
 from tilewright.analysis.textures.report import Report, analyze_texture
+from tilewright.checks import check_progress
 from tilewright.errors import Progress
 from tilewright.samplers.point_set import PointSet
 from tilewright.signals.points import PointTiles
@@ -52,6 +53,7 @@ def analyze(
     >>> report.figures["count"], report.figures["rho"] > 0.7
     (1000.0, True)
     """
+    check_progress(progress)
     if isinstance(material, PointTiles):
         return analyze_point_tiles(material, seed=seed, progress=progress)
     if isinstance(material, TextureTiles) or not isinstance(material, (PointSet, list, tuple)):

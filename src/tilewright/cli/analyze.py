@@ -9,7 +9,8 @@ from tilewright.cli.performing import perform
 
 def command(
     source: Annotated[
-        Path, argument(help="A tile-set folder, or a file of points: .npy, .csv, .parquet or .ply.")
+        Path,
+        argument(help="A tile-set folder, or a file of points: .npy, .npz, .csv, .txt, .ply or .parquet."),
     ],
     output: Annotated[
         Path | None,
@@ -40,6 +41,9 @@ def command(
     """Measure a tile set or a file of points: seams and repetition, or spacing and spectrum.
 
     Example: tilewright analyze moss -o moss-sheet.png
+
+    Points that end at the sides of a plain box are measured so that the sides do not show. Without a box, in
+    the file or by --width and --height, the one around the points is taken.
 
     Example: tilewright analyze points.npy --width 100 --height 100 --torus -o sheet.png
 

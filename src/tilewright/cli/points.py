@@ -10,7 +10,11 @@ from tilewright.cli.performing import perform
 def command(
     output: Annotated[
         Path | None,
-        option("-o", "--output", help="FILE.npy, .csv, .parquet or .ply; default METHOD-points.npy."),
+        option(
+            "-o",
+            "--output",
+            help="FILE.npy, .npz, .csv, .txt, .ply or .parquet; default METHOD-points.npy.",
+        ),
     ] = None,
     count: Annotated[
         int | None, option(help="Exact number of points; default as many as the window holds.")
@@ -53,6 +57,13 @@ def command(
     seed: Annotated[
         int, option("--seed", help="Seed of the point tiles, or of a sampler, from 0 on; default 0.")
     ] = 0,
+    note: Annotated[
+        bool,
+        option(
+            help="Begin a .csv or .txt with a line # tilewright {...} of box, seeds and promise; default no. "
+            ".npz, .ply and .parquet always hold them."
+        ),
+    ] = False,
     force: Force = False,
     dry_run: DryRun = False,
     quiet: Quiet = False,

@@ -1,44 +1,71 @@
-"""Point sets in files that other programs read: NPY, CSV, Parquet and PLY."""
+"""Point sets in files that other programs read: NPY, NPZ, CSV, TXT, PLY and Parquet."""
 
-import json
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_int
+from tilewright.checks import check_flag, check_int, check_type
 from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightTypeError, TilewrightValueError
+from tilewright.extras import need_package
 from tilewright.files.atomic import AnyPath, as_path, check_file, whole_file
+from tilewright.files.point_formats import (
+    Blocks,
+    Read,
+    Write,
+    read_npy,
+    read_npz,
+    read_parquet,
+    read_ply,
+    write_npy,
+    write_npz,
+    write_parquet,
+    write_ply,
+)
+from tilewright.files.point_notes import PointNote
+from tilewright.files.point_text import read_text, write_text
 from tilewright.samplers.box import Box, as_points
 from tilewright.samplers.feasibility import check_box
 from tilewright.samplers.point_set import PointSet
 
-if TYPE_CHECKING:
-    import pyarrow
-
-Blocks = Iterable[NDArray[np.float64]]
-
-_NOTE = b"tilewright"
-"""Key of the Parquet metadata that says which box the points lie in."""
+ASSUMED = "assumed_box"
+"""Among a set's figures: that its file names no box, and the one around the points was taken."""
 
 
-def write_points(path: AnyPath, points: PointSet | ArrayLike | Blocks, count: int | None = None) -> None:
+def write_points(
+    path: AnyPath,
+    points: PointSet | ArrayLike | Blocks,
+    count: int | None = None,
+    *,
+    about: PointSet | None = None,
+    note: bool = False,
+) -> None:
     """Write points to a file, a block at a time where they come so.
 
-    The file appears when it is complete.
+    The file appears when it is complete. What a PointSet knows besides (its box, method, promised distance
+    and figures), and the program's version, goes with it where the format has room, and `read_points` gives
+    it back. A ``corner`` among the figures says where the box begins in the file's coordinates.
 
     Parameters
     ----------
     path : str or path-like
-        ``.npy``: float64, shape (n, 2). ``.csv``: columns x, y under a header. ``.parquet``: columns x, y,
-        and the box of a PointSet. ``.ply``: binary vertices, z = 0.
+        ``.npy``: float64, shape (n, 2), and nothing else. ``.npz``: the same as ``points``, beside arrays of
+        what is known. ``.csv``: columns x, y under a header. ``.txt``: x and y with a blank between.
+        ``.ply``: binary vertices, z = 0, and a comment. ``.parquet``: columns x, y, and metadata, by the
+        package pyarrow.
     points : PointSet, array-like of shape (n, 2), or iterable of such arrays
         The points, x first; an iterable gives them block by block.
     count : int, optional
-        How many points an iterable gives, 0 to 2^40, which ``.npy`` and ``.ply`` need to say before the
-        first; not needed otherwise.
+        How many points an iterable gives, 0 to 2^40, which ``.npy``, ``.npz`` and ``.ply`` need to say before
+        the first; not needed otherwise.
+    about : PointSet, optional
+        What is known of points that are no PointSet; its own points do not count. Default nothing.
+    note : bool, optional
+        Begin ``.csv`` and ``.txt`` with a line ``# tilewright {...}`` that holds what is known. Default
+        False: many programs take such a line for the header.
 
     Raises
     ------
@@ -48,34 +75,56 @@ def write_points(path: AnyPath, points: PointSet | ArrayLike | Blocks, count: in
         A name of another kind; a file that cannot be written.
     TilewrightValueError
         Points that are not finite pairs of numbers, or another number of them than ``count``.
+    MissingExtra
+        Parquet without the package pyarrow.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import tilewright as tw
+    >>> points = tw.sample_points("dart", 100, seed=1)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tw.write_points(f"{folder}/dart.ply", points)
+    ...     tw.read_points(f"{folder}/dart.ply").box
+    Box(extent=(1.0, 1.0), torus=True)
     """
     target = check_point_file(path)
-    box, blocks, number = None, points, count
+    check_flag("note", note)
+    if about is not None:
+        check_type("about", about, PointSet, "a PointSet")
+    blocks, number = _as_blocks(points, count, target.suffix.lower())
+    known = about if about is not None else points if isinstance(points, PointSet) else None
+    said = None if known is None else PointNote.of(known)
+    with whole_file(target) as unfinished:
+        written = _Counted(blocks)
+        _writer(target, note)(unfinished, written, number or 0, said)
+        if number is not None and written.rows != number:
+            raise TilewrightValueError(
+                f"is {number} and {written.rows} points came", argument="count", value=number
+            )
+
+
+def _as_blocks(points: Any, count: int | None, suffix: str) -> tuple[Blocks, int | None]:
+    """Points in blocks, and how many there are, as far as that is known."""
     if isinstance(points, PointSet):
-        box, blocks, number = points.box, [as_points(points.points)], len(points)
-    elif isinstance(points, np.ndarray) or _is_table(points):
-        table = as_points(points)  # type: ignore[arg-type]
-        blocks, number = [table], len(table)
-    elif not isinstance(points, Iterable):
+        return [as_points(points.points)], len(points)
+    if isinstance(points, np.ndarray) or _is_table(points):
+        table = as_points(points)
+        return [table], len(table)
+    if not isinstance(points, Iterable):
         raise TilewrightTypeError(
             f"must be a PointSet or points, not {type(points).__name__}",
             argument="points",
             value=points,
             allowed="a PointSet or points",
         )
-    elif count is not None:
-        number = check_int("count", count, 0, 2**40)
-    elif target.suffix.lower() in (".npy", ".ply"):
+    if count is not None:
+        return points, check_int("count", count, 0, 2**40)
+    if suffix in _COUNTED:
         raise TilewrightTypeError(
-            f"is needed: {target.suffix} says how many points come before the first", argument="count"
+            f"is needed: {suffix} says how many points come before the first", argument="count"
         )
-    with whole_file(target) as unfinished:
-        written = _Counted(blocks)  # type: ignore[arg-type]
-        _WRITERS[target.suffix.lower()](unfinished, written, number or 0, box)
-        if number is not None and written.rows != number:
-            raise TilewrightValueError(
-                f"is {number} and {written.rows} points came", argument="count", value=number
-            )
+    return points, None
 
 
 def _is_table(points: Any) -> bool:
@@ -102,29 +151,81 @@ class _Counted:
 def check_point_file(path: AnyPath) -> Path:
     """A path `write_points` can write to, told before long work."""
     target = as_path(path)
-    if target.suffix.lower() not in _WRITERS:
+    suffix = target.suffix.lower()
+    if suffix not in _SUFFIXES:
         raise TilewrightFileError(
-            f"{target} is not the name of a point file", value=target, advice=f"use {', '.join(_WRITERS)}"
+            f"{target} is not the name of a point file", value=target, advice=f"use {', '.join(_SUFFIXES)}"
         )
+    _need_package_for(suffix)
     check_file(target)
     return target
 
 
+def _need_package_for(suffix: str) -> None:
+    if suffix == ".parquet":
+        need_package("pyarrow", "a .parquet file")
+
+
+def _write_columns(
+    path: Path, blocks: Blocks, count: int, known: PointNote | None, *, note: bool, between: str, header: str
+) -> None:
+    write_text(path, blocks, between, header, known if note else None)
+
+
+def _writer(path: Path, note: bool) -> Write:
+    match path.suffix.lower():
+        case ".csv":
+            return partial(_write_columns, note=note, between=",", header='"x","y"\n')
+        case ".txt":
+            return partial(_write_columns, note=note, between=" ", header="")
+        case suffix:
+            return _WRITERS[suffix]
+
+
+_WRITERS: dict[str, Write] = {
+    ".npy": write_npy,
+    ".npz": write_npz,
+    ".ply": write_ply,
+    ".parquet": write_parquet,
+}
+_COUNTED = (".npy", ".npz", ".ply")
+_SUFFIXES = (".npy", ".npz", ".csv", ".txt", ".parquet", ".ply")
+_READERS: dict[str, Read] = {
+    ".npy": read_npy,
+    ".npz": read_npz,
+    ".csv": read_text,
+    ".tsv": read_text,
+    ".txt": read_text,
+    ".xyz": read_text,
+    ".parquet": read_parquet,
+    ".ply": read_ply,
+}
+
+
 def read_points(path: AnyPath, box: Box | None = None) -> PointSet:
-    """Read points from a file: its first two columns, or those called x and y.
+    """Read points from a file, with what it says of them.
+
+    Of named columns those called x and y are taken, whatever their case, else longitude and latitude, easting
+    and northing or the like, else the first two that hold numbers and are no index, with a warning. Without
+    names the first two are taken, after one that counts the rows. Texts may be separated by commas,
+    semicolons, tabs, bars or blanks; fractions may begin with a comma where columns do not; lines that begin
+    with ``#``, ``%`` or ``//`` before the numbers are passed over.
 
     Parameters
     ----------
     path : str or path-like
-        ``.npy``, ``.npz`` (an array called points, or the only one), ``.csv``, ``.txt`` or ``.parquet``.
+        ``.npy``, ``.npz`` (an array called points, arrays x and y, or the only one), ``.csv``, ``.tsv``,
+        ``.txt``, ``.xyz``, ``.ply`` or ``.parquet``, which needs the package pyarrow.
     box : Box, optional
-        Where the points lie. By default the one that a Parquet file names, else the smallest plain box around
+        Where the points lie. By default the one that the file names, else the smallest plain box around
         them, half a mean spacing wider on every side, to whose corner they are moved.
 
     Returns
     -------
     PointSet
-        The points in their box; its method is the name of the file without suffix.
+        The points in their box, with method, promised distance and figures where the file names them; else
+        its method is the name of the file without suffix. The figures say ``"corner"`` where points were
+        moved to the origin, and ``"assumed_box"`` where the box is the one around them.
 
     Raises
     ------
@@ -132,6 +233,8 @@ def read_points(path: AnyPath, box: Box | None = None) -> PointSet:
         Something else than a path, or a box that is no `Box`.
     TilewrightFileError
         No such file, one of another kind, damaged, with fewer than two columns, text, or NaN.
+    MissingExtra
+        Parquet without the package pyarrow.
 
     Examples
     --------
@@ -139,30 +242,31 @@ def read_points(path: AnyPath, box: Box | None = None) -> PointSet:
     >>> import tilewright as tw
     >>> points = tw.sample_points("dart", 100, seed=1)
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     tw.write_points(f"{folder}/dart.parquet", points)
-    ...     print(len(tw.read_points(f"{folder}/dart.parquet")))
-    100
+    ...     tw.write_points(f"{folder}/dart.npz", points)
+    ...     again = tw.read_points(f"{folder}/dart.npz")
+    >>> again.method, again.distance == points.distance
+    ('dart', True)
     """
     if box is not None:
         check_box(box)
     source = as_path(path)
-    if source.suffix.lower() not in _READERS:
+    suffix = source.suffix.lower()
+    if suffix not in _READERS:
         raise TilewrightFileError(
             f"{source} is not a point file; {', '.join(_READERS)} can be read", value=source
         )
     if not source.is_file():
         raise TilewrightFileError(f"{source} is not a file", value=source)
+    _need_package_for(suffix)
     try:
-        table, noted = _READERS[source.suffix.lower()](source)
-        points = as_points(_two_columns(table))
+        table, note = _READERS[suffix](source)
+        points = as_points(table)
         if not len(points):
             raise TilewrightFileError("no points")
-        if box is None and noted is None:
-            points, box = _put_in_box(points)
-        found = box or noted or Box()
-        return PointSet(found.check_points(points), found, source.stem)
+        return _place(points, note, box, source.stem)
     except TilewrightError as error:
-        raise TilewrightFileError(f"{source}: {error}", value=source) from None
+        told = str(error).removeprefix(f"{source} ").removeprefix(f"{source}: ")
+        raise TilewrightFileError(f"{source}: {told}", value=source) from None
     except OSError as error:
         raise TilewrightFileError(
             f"{source} cannot be read: {(error.strerror or str(error)).lower()}", value=source
@@ -174,140 +278,18 @@ def read_points(path: AnyPath, box: Box | None = None) -> PointSet:
         ) from None
 
 
-def _write_npy(path: Path, blocks: Blocks, count: int, box: Box | None) -> None:
-    with path.open("wb") as stream:
-        header = {"descr": "<f8", "fortran_order": False, "shape": (count, 2)}
-        np.lib.format.write_array_header_1_0(stream, header)
-        for block in blocks:
-            stream.write(np.ascontiguousarray(block, "<f8").data)
-
-
-def _write_ply(path: Path, blocks: Blocks, count: int, box: Box | None) -> None:
-    kind = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8")])
-    with path.open("wb") as stream:
-        lines = ["ply", "format binary_little_endian 1.0", f"element vertex {count}"]
-        lines += [f"property double {axis}" for axis in "xyz"]
-        stream.write("\n".join([*lines, "end_header", ""]).encode())
-        for block in blocks:
-            vertices = np.zeros(len(block), kind)
-            vertices["x"], vertices["y"] = block.T
-            stream.write(vertices.tobytes())
-
-
-def _write_csv(path: Path, blocks: Blocks, count: int, box: Box | None) -> None:
-    import pyarrow.csv
-
-    plain = pyarrow.csv.WriteOptions(quoting_style="none")
-    with pyarrow.csv.CSVWriter(path, _schema(None), write_options=plain) as writer:
-        for block in blocks:
-            writer.write(_table(block))
-
-
-def _write_parquet(path: Path, blocks: Blocks, count: int, box: Box | None) -> None:
-    import pyarrow.parquet
-
-    with pyarrow.parquet.ParquetWriter(path, _schema(box)) as writer:
-        for block in blocks:
-            writer.write_table(_table(block).cast(_schema(box)))
-
-
-def _schema(box: Box | None) -> "pyarrow.Schema":
-    import pyarrow
-
-    note = {} if box is None else {_NOTE: json.dumps({"extent": box.extent, "torus": box.torus})}
-    return pyarrow.schema([("x", pyarrow.float64()), ("y", pyarrow.float64())], note)
-
-
-def _table(block: NDArray[np.float64]) -> "pyarrow.Table":
-    import pyarrow
-
-    x, y = np.ascontiguousarray(block.T)
-    return pyarrow.table({"x": x, "y": y})
-
-
-_WRITERS: dict[str, Callable[[Path, Blocks, int, Box | None], None]] = {
-    ".npy": _write_npy,
-    ".csv": _write_csv,
-    ".parquet": _write_parquet,
-    ".ply": _write_ply,
-}
-
-
-def _read_npy(path: Path) -> tuple[Any, None]:
-    return np.load(path, allow_pickle=False), None
-
-
-def _read_npz(path: Path) -> tuple[Any, None]:
-    with np.load(path, allow_pickle=False) as stored:
-        names = list(stored)
-        if "points" not in names and len(names) != 1:
-            raise TilewrightValueError(
-                f"holds {', '.join(names) or 'nothing'}; expected an array called points"
-            )
-        return stored["points" if "points" in names else names[0]], None
-
-
-def _read_csv(path: Path) -> tuple[Any, None]:
-    import pyarrow.csv
-
-    with path.open("rb") as stream:
-        first = stream.readline(4096).decode("utf-8", "replace").strip()
-    delimiter = next((d for d in ",;\t" if d in first), " ")
-    words = first.lower().replace("e", "").replace("nan", "").replace("inf", "")
-    has_header = any(c.isalpha() for c in words)
-    if delimiter == " " or first.startswith("#"):
-        skipped = int(has_header and not first.startswith("#"))
-        return np.loadtxt(path, delimiter=delimiter.strip() or None, skiprows=skipped, ndmin=2), None
-    table = pyarrow.csv.read_csv(
-        path,
-        read_options=pyarrow.csv.ReadOptions(autogenerate_column_names=not has_header),
-        parse_options=pyarrow.csv.ParseOptions(delimiter=delimiter),
-    )
-    return {name: table.column(name).to_numpy() for name in table.column_names}, None
-
-
-def _read_parquet(path: Path) -> tuple[Any, Box | None]:
-    import pyarrow.parquet
-
-    table = pyarrow.parquet.read_table(path)
-    note = (table.schema.metadata or {}).get(_NOTE)
-    box = None
+def _place(points: NDArray[np.float64], note: PointNote | None, box: Box | None, name: str) -> PointSet:
+    """The points in the box that is given, else in that of their file, else in one around them."""
     if note is not None:
-        known = json.loads(note)
-        box = Box(tuple(known["extent"]), known["torus"])
-    return {name: table.column(name).to_numpy() for name in table.column_names}, box
+        return note.place(points, box, name)
+    if box is not None:
+        return PointSet(box.check_points(points), box, name)
+    moved, around, corner = _put_in_box(points)
+    return PointSet(moved, around, name, figures={"corner": corner, ASSUMED: True})
 
 
-_READERS: dict[str, Callable[[Path], tuple[Any, Box | None]]] = {
-    ".npy": _read_npy,
-    ".npz": _read_npz,
-    ".csv": _read_csv,
-    ".txt": _read_csv,
-    ".parquet": _read_parquet,
-}
-
-
-def _two_columns(table: Any) -> NDArray[Any]:
-    """x and y of a table with named columns, or of an array."""
-    if isinstance(table, dict):
-        names = ["x", "y"] if {"x", "y"} <= set(table) else list(table)[:2]
-        if len(names) < 2:
-            raise TilewrightValueError(f"has one column, {', '.join(table)}; points need x and y")
-        if not len(table[names[0]]):
-            raise TilewrightValueError("no points")
-        for name in names:
-            if table[name].dtype.kind not in "iuf":
-                raise TilewrightValueError(f"column {name} holds {table[name].dtype}, not numbers")
-        return np.stack([table[name] for name in names], axis=1)
-    if table.ndim == 2 and table.shape[1] == 1:
-        raise TilewrightValueError("has one column; points need x and y")
-    if table.dtype.kind not in "iuf" or table.ndim != 2 or table.shape[1] < 2:
-        raise TilewrightValueError(f"holds {table.dtype} {table.shape}; points are numbers, shape (n, 2)")
-    two: NDArray[Any] = table[:, :2]
-    return two
-
-
-def _put_in_box(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], Box]:
+def _put_in_box(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], Box, tuple[float, ...]]:
+    """Points moved to the corner of the box around them, that box, and where its corner was."""
     low, high = points.min(axis=0), points.max(axis=0)
     size = high - low
     if not (size > 0).all():
@@ -316,4 +298,4 @@ def _put_in_box(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], Box]:
         )
     margin = 0.5 * np.sqrt(size.prod() / len(points))
     box = Box(tuple((size + 2 * margin).tolist()), torus=False)
-    return points - low + margin, box
+    return points - low + margin, box, tuple((low - margin).tolist())

@@ -2,13 +2,13 @@
 
 from pathlib import Path
 from typing import Any
-from zipfile import BadZipFile
 
 import msgspec
 import numpy as np
 
 from tilewright import __version__
 from tilewright.errors import TilewrightFileError
+from tilewright.files.archives import read_archive
 from tilewright.files.manifest import (
     SCHEMA,
     VARIANTS_SCHEMA,
@@ -66,13 +66,7 @@ def write_point_tiles(folder: Path, tiles: PointTiles) -> None:
 def read_point_tiles(folder: Path, manifest: PointManifest) -> PointTiles:
     """The point tiles of a folder, every file checked."""
     path = Reader(folder, manifest.checksums).path(manifest.points)
-    try:
-        with np.load(path, allow_pickle=False) as stored:
-            arrays = {name: stored[name] for name in _ARRAYS}
-    except (ValueError, KeyError, BadZipFile, EOFError) as error:
-        raise TilewrightFileError(
-            f"{path} does not hold the arrays {', '.join(_ARRAYS)}: {error}", value=path
-        ) from None
+    arrays = read_archive(path, lambda there: list(_ARRAYS))
     for name, kind in _ARRAYS.items():
         if arrays[name].dtype != kind:
             raise TilewrightFileError(

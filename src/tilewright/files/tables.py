@@ -3,12 +3,12 @@
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
-from zipfile import BadZipFile
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightFileError
+from tilewright.files.archives import read_archive
 from tilewright.files.atomic import AnyPath, as_path
 
 Read = TypeVar("Read")
@@ -33,12 +33,7 @@ def read_table(path: AnyPath, what: str) -> NDArray[Any]:
 def read_arrays(path: AnyPath, names: Sequence[str], what: str) -> dict[str, NDArray[Any]]:
     """The arrays of the given names in a .npz file."""
     target = as_path(path)
-
-    def arrays() -> dict[str, NDArray[Any]]:
-        with np.load(target, allow_pickle=False) as stored:
-            return {name: stored[name] for name in names}
-
-    return _read(target, what, arrays)
+    return _read(target, what, lambda: read_archive(target, lambda there: names))
 
 
 def _read(path: Path, what: str, read: Callable[[], Read]) -> Read:
@@ -50,5 +45,5 @@ def _read(path: Path, what: str, read: Callable[[], Read]) -> Read:
         raise TilewrightFileError(f"{path} is empty; expected {what}", value=path)
     try:
         return read()
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, EOFError, BadZipFile):
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, EOFError, MemoryError):
         raise TilewrightFileError(f"{path} does not hold {what}", value=path) from None

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import GpuError
+from tilewright.extras import need_package
 
 _LIMITS = ("max-texture-array-layers", "max-texture-dimension-2d")
 _FILTERABLE = "float32-filterable"
@@ -143,12 +144,9 @@ class Gpu:
 @cache
 def open_gpu() -> Gpu:
     """The GPU of this machine, a hardware one where there are several; opened once."""
-    try:
-        import wgpu
-    except ImportError:
-        raise GpuError(
-            "drawing on a GPU needs wgpu", advice="install it with: pip install tilewright[gpu]"
-        ) from None
+    need_package("wgpu", "drawing on a GPU", GpuError)
+    import wgpu
+
     with _runtime_folder():
         try:
             adapter = wgpu.gpu.request_adapter_sync(power_preference="high-performance")

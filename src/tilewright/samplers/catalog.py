@@ -5,7 +5,7 @@ from importlib import import_module
 from inspect import signature
 from typing import Any
 
-from tilewright.checks import check_choice
+from tilewright.checks import check_choice, check_progress
 from tilewright.errors import Progress, TilewrightTypeError
 from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
@@ -177,6 +177,7 @@ def sample_points(
     ['best-candidate', 'bridson', 'dart', 'elimination']
     """
     known = METHODS[check_choice("method", method, tuple(METHODS))]
+    check_progress(progress)
     module, function = known.home.split(".")
     run = getattr(import_module(f"tilewright.samplers.{module}"), function)
     usual = {"count", "rho", "seed", "box", "progress"}

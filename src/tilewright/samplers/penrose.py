@@ -145,7 +145,8 @@ class Window:
         # Centers at least ``reach`` from the sides fill a smaller triangle around the same middle.
         inner = middle + (1 - 1 / room) * (triangle - middle)
         a, b = np.sort(np.random.default_rng(int(make_key(seed))).random(2))
-        center = inner @ np.array([a, b - a, 1 - b])
+        # Summed by hand: what a library for matrices gives depends on the processor in its last digit.
+        center = inner[0] * a + inner[1] * (b - a) + inner[2] * (1 - b)
         return cls(box.extent, complex(center - half), scale)
 
     @property

@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import max_radius, relative_radius
 from tilewright.showing import Shown, describe, many
+from tilewright.tabling import Tabled
 
 
 @dataclass(frozen=True, eq=False)
-class PointSet(Shown):
+class PointSet(Shown, Tabled):
     """Points of a box, and what is promised about them: the answer of every sampler.
 
     Attributes
@@ -57,6 +58,16 @@ class PointSet(Shown):
 
     def __len__(self) -> int:
         return len(self.points)
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Give the coordinates as columns.
+
+        Returns
+        -------
+        dict of str to float64 array, shape (N,)
+            ``x``, ``y`` and in volumes ``z``.
+        """
+        return dict(zip("xyz", np.asarray(self.points).T, strict=False))
 
     @property
     def max_radius(self) -> float:

@@ -5,6 +5,7 @@ from math import inf, sqrt
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tilewright.checks import check_type
 from tilewright.samplers.box import Box
 
 LARGEST_COUNT = 2**31 - 1
@@ -28,6 +29,11 @@ def max_radius(count: int, box: Box) -> float:
     float
         The radius, in the box's units.
 
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than a box.
+
     Notes
     -----
     Lagae 2007, section 4.2.3, eq. 4.2; of spheres section 4.6.1.2, eq. 4.5.
@@ -38,6 +44,7 @@ def max_radius(count: int, box: Box) -> float:
     >>> round(tw.max_radius(1000, tw.Box()), 5)
     0.01699
     """
+    check_type("box", box, Box, "a Box", "Box((width, height)) makes one")
     return float((box.volume / count / cell_volume(box.dimension)) ** (1 / box.dimension))
 
 
@@ -97,7 +104,7 @@ def relative_radius(points: ArrayLike, box: Box | None = None) -> float:
     Raises
     ------
     TilewrightTypeError
-        The coordinates are not numbers.
+        The coordinates are not numbers, or the box is none.
     TilewrightValueError
         They have another shape, are not finite, or lie outside the box.
 
@@ -111,7 +118,7 @@ def relative_radius(points: ArrayLike, box: Box | None = None) -> float:
     >>> round(tw.relative_radius([[0.1, 0.1], [0.6, 0.6]]), 4)
     0.9306
     """
-    domain = Box() if box is None else box
+    domain = Box() if box is None else check_type("box", box, Box, "a Box", "Box((width, height)) makes one")
     distances = nearest_distances(points, domain)
     if not len(distances):
         return inf

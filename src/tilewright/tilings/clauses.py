@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tilewright.checks import check_real, check_type
 from tilewright.errors import Progress, TilewrightError, TilewrightValueError
+from tilewright.extras import need_package
 
 Literals = NDArray[np.int32]
 Truth = NDArray[np.bool_]
@@ -103,7 +104,7 @@ class Clauses:
         ------
         Undecided
             The time was up.
-        TilewrightError
+        MissingExtra
             The package python-sat is missing.
         """
         if seconds is not None:
@@ -203,11 +204,13 @@ class Clauses:
         return values
 
 
+def need_solver() -> None:
+    """Refuse to begin a search where there is no solver."""
+    need_package("pysat", "a search by a SAT solver")
+
+
 def _solver(blocks: list[Literals]) -> Any:
-    try:
-        from pysat.solvers import Solver
-    except ImportError:
-        raise TilewrightError(
-            "this needs the package python-sat", advice="install it with: pip install tilewright[solve]"
-        ) from None
+    need_solver()
+    from pysat.solvers import Solver
+
     return Solver(name="glucose4", bootstrap_with=[clause for block in blocks for clause in block.tolist()])

@@ -10,7 +10,7 @@ from tilewright.errors import Progress, TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.tiles import Shape, TileSet
 from tilewright.tiles.tileset import check_tiles
-from tilewright.tilings.clauses import Clauses, Literals, Truth
+from tilewright.tilings.clauses import Clauses, Literals, Truth, need_solver
 from tilewright.tilings.tiling import ArrayTiling
 
 Integers = NDArray[np.int64]
@@ -88,6 +88,7 @@ def filled_tiling(
             "choices of a tile for a cell"
         )
     given = None if fixed is None else _check_fixed(fixed, shape, len(tiles))
+    need_solver()
     formula = Clauses()
     chosen = add_tiling(formula, tiles, shape, torus=torus)
     if given is not None:

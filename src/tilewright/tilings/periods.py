@@ -6,7 +6,7 @@ from tilewright.checks import check_int, check_progress, check_real
 from tilewright.errors import Progress
 from tilewright.seeds import check_seed
 from tilewright.tiles import TileSet
-from tilewright.tilings.clauses import Clauses, Undecided
+from tilewright.tilings.clauses import Clauses, Undecided, need_solver
 from tilewright.tilings.filling import add_tiling, check_square, read_tiling
 from tilewright.tilings.tiling import ArrayTiling
 
@@ -72,6 +72,7 @@ def periodic_tiling(
     check_int("height", height, 1, _LONGEST)
     if seconds is not None:
         check_real("seconds", seconds, 0, 1e9)
+    need_solver()
     sizes = sorted(((w, h) for w in range(1, width + 1) for h in range(1, height + 1)), key=_size)
     end = None if seconds is None else time.monotonic() + seconds
     for done, (w, h) in enumerate(sizes):

@@ -5,10 +5,13 @@ from dataclasses import replace
 
 from tilewright.checks import check_type
 from tilewright.errors import TilewrightValueError
+from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
 
 FEWEST = 3
 """Fewer points have no spacing and no spectrum worth the name."""
+LONGEST = 10_000
+"""How many times as long as the other a side of a box may be where a plane is measured."""
 
 
 def check_set(given: PointSet, name: str = "points", dimensions: tuple[int, ...] = (2,)) -> PointSet:
@@ -27,6 +30,19 @@ def check_set(given: PointSet, name: str = "points", dimensions: tuple[int, ...]
             f"has {len(points)} points; at least {FEWEST} are needed", argument=name, value=len(points)
         )
     return given if points is given.points else replace(given, points=points)
+
+
+def check_shape(box: Box) -> None:
+    """Refuse boxes so thin that their points lie in a line rather than in a plane."""
+    width, height = box.extent
+    if max(width, height) > LONGEST * min(width, height):
+        raise TilewrightValueError(
+            f"is {width:g} x {height:g}, too thin for figures of a plane; allowed are sides up to {LONGEST} "
+            "times as long as the other",
+            argument="box",
+            value=box.extent,
+            allowed=f"sides up to {LONGEST} times as long as the other",
+        )
 
 
 def check_sets(

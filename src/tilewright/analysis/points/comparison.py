@@ -12,6 +12,7 @@ from tilewright import __version__
 from tilewright.analysis.points.contenders import Contender, Make, list_contenders
 from tilewright.analysis.points.laid_tiles import PLATE_POINTS, SPECTRUM_POINTS
 from tilewright.analysis.points.report import PointReport, analyze_points, save_comparison
+from tilewright.analysis.sheets import need_plots
 from tilewright.checks import check_choice, check_int, type_error
 from tilewright.errors import Cancelled, Progress, TilewrightError
 from tilewright.files.atomic import AnyPath, as_path, check_folder, whole_folder
@@ -206,6 +207,7 @@ def compare(
 
 def check_comparison_folder(folder: AnyPath) -> None:
     """Raise what `Comparison.save` would, before the work is done."""
+    need_plots()
     check_folder(as_path(folder), _objection)
 
 

@@ -2,29 +2,38 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import inf, sqrt
+from math import isnan
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-from tilewright.analysis.points.checks import check_set, check_sets
-from tilewright.analysis.points.plates import DOMAIN, ZonePlate, zone_plate
+from tilewright.analysis.points.checks import check_set, check_sets, check_shape
+from tilewright.analysis.points.panels import (
+    draw_anisotropy,
+    draw_distances,
+    draw_plate,
+    draw_points,
+    draw_radial,
+    draw_spectrum,
+    find_highest,
+    limit_anisotropy,
+    limit_radial,
+)
+from tilewright.analysis.points.plates import ZonePlate, zone_plate
 from tilewright.analysis.points.spacing import (
     RadialDistribution,
     measure_neighborhood,
-    nearest_mean,
+    nearest_mean_within,
     radial_distribution,
 )
 from tilewright.analysis.points.spectrum import Spectrum, power_spectrum
-from tilewright.analysis.sheets import check_sheet
+from tilewright.analysis.sheets import need_plots, save_figure
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import AnyPath, whole_file
+from tilewright.files.atomic import AnyPath
 from tilewright.samplers.point_set import PointSet
 from tilewright.showing import describe_record
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 POINT_MEANING = {
@@ -52,13 +61,10 @@ POINT_MEANING = {
     "spike_height": "its height in a set of 16,384 points",
 }
 
-_SHOWN_POINTS = 1024
-_BRIGHTEST = 12.0
-"""Power that is shown white; black is 0, log(1 + 4 power) between: the same for all sheets."""
+_OPEN = ("coverage", "bond_order")
+"""Figures that a plain box may have no room for."""
 _TALLEST, _LOUDEST = 6.0, 25.0
 """Where comparisons cut off radial power, and anisotropy in dB."""
-_INK = "#1a3f6f"
-_MARK = "#c23b22"
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,11 +94,30 @@ class PointReport:
     __repr__ = describe_record
 
     def __str__(self) -> str:
+        return "\n".join([*self._lines(), *self.notes])
+
+    def _lines(self) -> list[str]:
+        """Each figure with its meaning."""
         lines = []
         for name, value in self.figures.items():
             shown = f"{value:10.0f}" if abs(value) >= 1000 else f"{value:10.4g}"
             lines.append(f"{name:<18} {shown}  {POINT_MEANING[name]}")
-        return "\n".join(lines)
+        return lines
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the figures assume, and which are left out, in sentences; nothing on a torus."""
+        box = self.spectrum.sets[0].box
+        if box.torus:
+            return ()
+        said = [
+            "The {:g} x {:g} box has open sides: coverage counts circles within it, nearest_mean points away "
+            "from its sides, and the spectrum weighs points less towards them.".format(*box.extent)
+        ]
+        missing = [name for name in _OPEN if name not in self.figures]
+        if missing:
+            said.append(f"Left out: {', '.join(missing)}; no circle between the points lies within the box.")
+        return tuple(said)
 
     def sheet(self) -> "Figure":
         """Draw points, power spectrum, zone plate, radial power, anisotropy and distances beside the figures.
@@ -102,17 +127,20 @@ class PointReport:
         matplotlib.figure.Figure
             A sheet of 15 x 11 inches.
         """
+        need_plots()
         from matplotlib.figure import Figure
 
         figure = Figure(figsize=(15, 11), layout="constrained")
         figure.suptitle(_title(self), fontsize=14)
-        lines = str(self).splitlines()
+        lines = self._lines()
         half = (len(lines) + 1) // 2
         heights = (5, 3.6, 0.2 * half)
         upper, lower, words = figure.subfigures(3, 1, squeeze=False, height_ratios=heights)[:, 0]
-        for axis, draw in zip(upper.subplots(1, 3), (_points, _spectrum, _plate), strict=True):
+        for axis, draw in zip(upper.subplots(1, 3), (draw_points, draw_spectrum, draw_plate), strict=True):
             draw(axis, self)
-        for axis, draw in zip(lower.subplots(1, 3), (_radial, _anisotropy, _distances), strict=True):
+        for axis, draw in zip(
+            lower.subplots(1, 3), (draw_radial, draw_anisotropy, draw_distances), strict=True
+        ):
             draw(axis, self)
         for place, part in ((0.02, lines[:half]), (0.52, lines[half:])):
             words.text(place, 0.95, "\n".join(part), family="monospace", fontsize=9, va="top")
@@ -148,6 +176,11 @@ def analyze_points(
 ) -> PointReport:
     """Measure the point sets that a method makes: spacing, spectrum, sampling (Lagae 2007, section 6.2).
 
+    A plain box is taken for a part of a larger plane: no figure counts its sides as a border of the points.
+    The largest empty circle is one that lies within the box, the mean nearest distance is taken away from its
+    sides, and the spectrum is tapered towards them (see `power_spectrum`); what cannot be told so is left
+    out. `coverage_radius`, `nearest_mean` and `power_spectrum` by themselves measure the box as it is.
+
     Parameters
     ----------
     sets : PointSet or list of PointSet
@@ -179,7 +212,8 @@ def analyze_points(
             progress(done, len(given) + 3, what)
 
     step(0, "spectrum")
-    spectrum = power_spectrum(given, size)
+    check_shape(given[0].box)
+    spectrum = power_spectrum(given, size, tapered=not given[0].box.torus)
     measured = spectrum.figures
     around = []
     for k, one in enumerate(given):
@@ -190,11 +224,12 @@ def analyze_points(
         "sets": float(len(given)),
         "count": spectrum.count,
         "rho": min(one.rho for one in given),
-        "nearest_mean": float(np.mean([nearest_mean(one) for one in given])),
+        "nearest_mean": float(np.mean([nearest_mean_within(one) for one in given])),
         "coverage": max(a.coverage for a in around),
         "bond_order": float(np.mean([a.bond_order for a in around])),
         **measured,
     }
+    figures = {name: value for name, value in figures.items() if name not in _OPEN or not isnan(value)}
     shown = None
     if large is not None:
         step(len(given) + 1, "zone plate")
@@ -220,21 +255,24 @@ def comparison_sheet(reports: Sequence[PointReport]) -> "Figure":
     matplotlib.figure.Figure
         A sheet 21 inches wide and 4.9 inches high for each method.
     """
+    need_plots()
     from matplotlib.figure import Figure
 
     given = _check_reports(reports)
     figure = Figure(figsize=(21, 4.9 * len(given)), layout="constrained")
     rows = figure.subfigures(len(given), 1, squeeze=False)[:, 0]
-    highest = min(max(_highest(r.spectrum.radial) for r in given), _TALLEST)
-    loudest = min(max(_highest(r.spectrum.anisotropy) for r in given), _LOUDEST)
+    highest = min(max(find_highest(r.spectrum.radial) for r in given), _TALLEST)
+    loudest = min(max(find_highest(r.spectrum.anisotropy) for r in given), _LOUDEST)
     for row, report in zip(rows, given, strict=True):
         axes = row.subplots(1, 5, width_ratios=(1, 1.05, 1, 1, 1))
-        for axis, draw in zip(axes, (_points, _spectrum, _radial, _anisotropy, _plate), strict=True):
+        for axis, draw in zip(
+            axes, (draw_points, draw_spectrum, draw_radial, draw_anisotropy, draw_plate), strict=True
+        ):
             draw(axis, report)
             axis.set_box_aspect(1)
         row.suptitle(f"{_title(report)}, $\\rho$ = {report.figures['rho']:.3f}", x=0.01, ha="left")
-        _limit_radial(axes[2], highest)
-        _limit_anisotropy(axes[3], report.spectrum.reference, loudest)
+        limit_radial(axes[2], highest)
+        limit_anisotropy(axes[3], report.spectrum.reference, loudest)
     return figure
 
 
@@ -266,9 +304,7 @@ def _check_reports(reports: Sequence[PointReport]) -> list[PointReport]:
 
 
 def _save(path: AnyPath, make: Callable[[], "Figure"]) -> None:
-    target = check_sheet(path)
-    with whole_file(target) as unfinished:
-        make().savefig(unfinished, dpi=160, format=target.suffix[1:].lower())
+    save_figure(path, make, dpi=160)
 
 
 def _title(report: PointReport) -> str:
@@ -278,120 +314,3 @@ def _title(report: PointReport) -> str:
     shape = "unit" if box.extent == (1.0, 1.0) else "{:g} x {:g}".format(*box.extent)
     many = f"{sets} sets of {count:,.0f} points" if sets > 1 else f"1 set of {count:,.0f} points"
     return f"{report.name}: {many}, {shape} {kind}"
-
-
-def _highest(values: NDArray[np.float64]) -> float:
-    """The largest that is not NaN; minus infinity if all are."""
-    return float(np.max(values, where=~np.isnan(values), initial=-inf))
-
-
-def _points(axis: "Axes", report: PointReport) -> None:
-    """The first set's corner at the origin, y downwards."""
-    shown = report.spectrum.sets[0]
-    side = min(*shown.box.extent, sqrt(_SHOWN_POINTS * shown.box.volume / len(shown)))
-    x, y = shown.points[(shown.points < side).all(axis=1)].T
-    # Dots about a quarter of the mean spacing wide on a panel of 4 inches, in square points.
-    spacing = min(0.1, sqrt(shown.box.volume / len(shown)) / side)
-    axis.scatter(x, y, s=(4 * 72 * spacing / 4) ** 2, c="black", linewidths=0)
-    axis.set(xlim=(0, side), ylim=(side, 0), xticks=(0, side), yticks=(0, side), xlabel="x", ylabel="y")
-    axis.set_xticklabels(("0", f"{side:.3g}"))
-    axis.set_yticklabels(("0", f"{side:.3g}"))
-    axis.set_box_aspect(1)
-    axis.set_title(f"points ({len(x):,} of {len(shown):,})", fontsize=11)
-
-
-def _spectrum(axis: "Axes", report: PointReport) -> None:
-    from matplotlib.colors import FuncNorm
-
-    spectrum = report.spectrum
-    rows, columns = spectrum.power.shape
-    step_y, step_x = (s / sqrt(spectrum.count) for s in spectrum.steps)
-    left, top = (columns / 2 + 0.5) * step_x, (rows / 2 + 0.5) * step_y
-    image = axis.imshow(
-        spectrum.power,
-        norm=FuncNorm((lambda p: np.log1p(4 * p), lambda v: np.expm1(v) / 4), 0, _BRIGHTEST, clip=True),
-        cmap="gray",
-        extent=(-left, left - step_x, top - step_y, -top),
-        interpolation="antialiased",
-    )
-    # Single frequencies would be lost where the picture has fewer pixels than the spectrum.
-    spikes = np.argwhere(spectrum.power > _BRIGHTEST) - (rows // 2, columns // 2)
-    heights = spectrum.power[spectrum.power > _BRIGHTEST] / _BRIGHTEST
-    sizes = 1 + 2 * np.log2(heights)
-    axis.scatter(spikes[:, 1] * step_x, spikes[:, 0] * step_y, s=sizes, c="white", linewidths=0)
-    bar = axis.figure.colorbar(image, ax=axis, fraction=0.046, pad=0.02, ticks=(0, 0.2, 0.5, 1, 2, 4, 8, 12))
-    bar.ax.set_yticklabels(("0", "0.2", "0.5", "1", "2", "4", "8", "12"))
-    ticks = np.arange(-int(left - 0.2), int(left - 0.2) + 1)
-    axis.set(xticks=ticks, yticks=ticks)
-    axis.set_xlabel("frequency in x / $\\sqrt{N}$")
-    axis.set_ylabel("frequency in y / $\\sqrt{N}$")
-    dotted = f" ({len(spikes):,} bins over {_BRIGHTEST:.0f} dotted)" if len(spikes) else ""
-    axis.set_title(f"power spectrum{dotted}", fontsize=11)
-
-
-def _radial(axis: "Axes", report: PointReport) -> None:
-    spectrum = report.spectrum
-    frequency = np.arange(1, len(spectrum.radial)) / sqrt(spectrum.count)
-    axis.plot(frequency, spectrum.radial[1:], color=_INK, lw=1)
-    axis.axhline(1, color="0.6", lw=0.8, ls="--", zorder=0)
-    nyquist = spectrum.effective_nyquist
-    if nyquist > 0:
-        axis.axvline(nyquist, color=_MARK, lw=0.8)
-        words = f" $2\\nu_{{eff}} = {nyquist:.2f}\\sqrt{{N}}$"
-        at = axis.get_xaxis_transform()
-        axis.text(nyquist, 0.97, words, color=_MARK, fontsize=9, va="top", transform=at)
-    axis.set_xlim(0, frequency[-1])
-    _limit_radial(axis, _highest(spectrum.radial))
-    axis.set_xlabel("frequency / $\\sqrt{N}$")
-    axis.set_ylabel("power (white noise = 1)")
-    axis.set_title("radially averaged power", fontsize=11)
-
-
-def _limit_radial(axis: "Axes", highest: float) -> None:
-    axis.set_ylim(0, max(2.0, 1.15 * highest))
-
-
-def _anisotropy(axis: "Axes", report: PointReport) -> None:
-    spectrum = report.spectrum
-    frequency = np.arange(1, len(spectrum.anisotropy)) / sqrt(spectrum.count)
-    label = f"$-10\\,\\log_{{10}} {len(spectrum.sets)} = {spectrum.reference:.0f}$ dB"
-    # Markers, for rings whose neighbors have no power.
-    axis.plot(frequency, spectrum.anisotropy[1:], color=_INK, lw=0.8, marker=".", ms=1.5)
-    axis.axhline(spectrum.reference, color=_MARK, lw=1, ls="--", label=label)
-    axis.set_xlim(0, frequency[-1])
-    _limit_anisotropy(axis, spectrum.reference, _highest(spectrum.anisotropy))
-    axis.set_xlabel("frequency / $\\sqrt{N}$")
-    axis.set_ylabel("anisotropy / dB")
-    axis.set_title("anisotropy", fontsize=11)
-    axis.legend(loc="upper right", fontsize=9, frameon=False)
-
-
-def _limit_anisotropy(axis: "Axes", reference: float, highest: float) -> None:
-    from matplotlib.ticker import MultipleLocator
-
-    top = max(reference + 10, highest + 6)
-    axis.set_ylim(reference - 10, top)
-    axis.yaxis.set_major_locator(MultipleLocator(5 if top < 15 else 10))
-
-
-def _distances(axis: "Axes", report: PointReport) -> None:
-    distribution = report.distribution
-    axis.plot(distribution.distance, distribution.density, color=_INK, lw=1)
-    axis.axhline(1, color="0.6", lw=0.8, ls="--", zorder=0)
-    axis.set_xlim(0, distribution.distance[-1])
-    axis.set_ylim(0, max(2.0, 1.15 * _highest(distribution.density)))
-    axis.set_xlabel("distance / $2\\,r_{max}$")
-    axis.set_ylabel("density (white noise = 1)")
-    axis.set_title("radial distribution", fontsize=11)
-
-
-def _plate(axis: "Axes", report: PointReport) -> None:
-    """Origin at the lower left, as in the thesis."""
-    if report.plate is None:
-        axis.set_axis_off()
-        axis.text(0.5, 0.5, "no set for the zone plate", ha="center", color="0.5", transform=axis.transAxes)
-        return
-    whole = (0, DOMAIN, 0, DOMAIN)
-    axis.imshow(report.plate.picture, cmap="gray", vmin=0, vmax=1, origin="lower", extent=whole)
-    axis.set(xticks=(0, 16, 32, 48), yticks=(0, 16, 32, 48), xlabel="x", ylabel="y")
-    axis.set_title(f"zone plate, RMS error {report.plate.error:.3f}", fontsize=11)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
-from math import ceil, nan, pi, sqrt
+from math import nan, pi, sqrt
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -18,6 +18,8 @@ from tilewright.samplers.radius import max_radius, nearest_distances
 from tilewright.showing import describe_record
 
 MOST_FOR_DISCREPANCY = 2**15
+_MOST = 10**5
+"""Points that the repetitions of a thin torus may have together."""
 _DISCREPANCIES = {"centered": "CD", "wrapped": "WD", "star": "L2-star"}
 
 
@@ -51,6 +53,19 @@ def nearest_mean(points: PointSet) -> float:
     """
     given = check_set(points, dimensions=(2, 3))
     return float(nearest_distances(given.points, given.box).mean() / (2 * given.max_radius))
+
+
+def nearest_mean_within(points: PointSet) -> float:
+    """`nearest_mean`, on a plain box of the points that have as much around them as any of them needs.
+
+    Points near a side may have a nearer neighbor beyond it.
+    """
+    if points.box.torus:
+        return nearest_mean(points)
+    nearest = nearest_distances(points.points, points.box)
+    to_side = np.minimum(points.points, np.array(points.box.extent) - points.points).min(axis=1)
+    used = to_side >= nearest.max()
+    return float(nearest[used if used.any() else slice(None)].mean() / (2 * points.max_radius))
 
 
 @dataclass(frozen=True, eq=False)
@@ -205,28 +220,65 @@ class Neighborhood:
 
 
 def measure_neighborhood(points: PointSet) -> Neighborhood:
-    """`coverage_radius` and `bond_order` of a set in a plane, in the time of one of them."""
-    return _neighborhood(check_set(points))
+    """Both figures of a set in a plane, in the time of one of them.
+
+    Where the box is plain, its points may go on beyond it: only circles that lie within it count, so that
+    its sides open none. NaN where there is no such circle.
+    """
+    given = check_set(points)
+    return _neighborhood(given) if given.box.torus else _neighborhood_within(given)
+
+
+def _too_thin(points: PointSet) -> TilewrightValueError:
+    size = " x ".join(f"{side:g}" for side in points.box.extent)
+    return TilewrightValueError(
+        f"are {len(points)} in {size}, too thin for circles among them",
+        argument="points",
+        value=len(points),
+        advice="give more points, or a wider box",
+    )
 
 
 def _neighborhood(points: PointSet) -> Neighborhood:
-    from scipy.spatial import Voronoi, cKDTree
+    from scipy.spatial import QhullError, Voronoi, cKDTree
 
     extent = np.array(points.box.extent)
     slack = 1e-9 * extent
     margin = 6 * points.max_radius
     while True:
         around = _surroundings(points, margin)
-        diagram = Voronoi(around, qhull_options="Qbb Qc Qz")
+        try:
+            diagram = Voronoi(around, qhull_options="Qbb Qc Qz")
+        except QhullError:  # beside such a length the width is rounded away
+            raise _too_thin(points) from None
         corners = diagram.vertices
         inside = corners[((corners >= -slack) & (corners <= extent + slack)).all(axis=1)]
         # Neighbors are twice the radius apart at most: where the margin is less, some may be missing.
         radius = float(cKDTree(around).query(inside)[0].max()) if len(inside) else margin
-        if 2 * radius < margin:
+        if 2 * radius < margin or (not points.box.torus and margin > extent.max()):
             break
         margin *= 2
     order = _mean_bond_order(points, around, diagram.ridge_points, margin) if len(extent) == 2 else nan
     return Neighborhood(radius / points.max_radius, order)
+
+
+def _neighborhood_within(points: PointSet) -> Neighborhood:
+    """Of a plain box, by what lies within it alone."""
+    from scipy.spatial import QhullError, Voronoi, cKDTree
+
+    at, extent = points.points, np.array(points.box.extent)
+    try:
+        diagram = Voronoi(at, qhull_options="Qbb Qc Qz")
+    except QhullError:  # all points lie on a line
+        return Neighborhood(nan, nan)
+    corners = diagram.vertices
+    corners = corners[((corners > 0) & (corners < extent)).all(axis=1)]
+    radius = cKDTree(at).query(corners)[0] if len(corners) else np.empty(0)
+    widest = float(radius.max(where=radius <= np.minimum(corners, extent - corners).min(axis=1), initial=0))
+    if widest == 0:
+        return Neighborhood(nan, nan)
+    order = _mean_bond_order(points, at, diagram.ridge_points, 2 * widest)
+    return Neighborhood(widest / points.max_radius, order)
 
 
 def _mean_bond_order(
@@ -253,7 +305,11 @@ def _surroundings(points: PointSet, margin: float) -> NDArray[np.float64]:
     its corners Voronoi corners.
     """
     extent = np.array(points.box.extent)
-    reach = [range(-ceil(margin / e), ceil(margin / e) + 1) for e in extent]
+    # Nearer than its first mirror images no other image of a point can be.
+    most = np.ceil(margin / extent) if points.box.torus else np.minimum(np.ceil(margin / extent), 1)
+    if points.box.torus and len(points) * np.prod(1 + 2 * margin / extent) > max(100 * len(points), _MOST):
+        raise _too_thin(points)
+    reach = [range(-int(n), int(n) + 1) for n in most]
     around = [points.points]
     for shift in product(*reach):
         if not any(shift):

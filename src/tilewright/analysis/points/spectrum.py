@@ -1,18 +1,23 @@
 """Power spectra of point sets by Bartlett's averaged periodograms (Lagae 2007, section 6.2.2)."""
 
-import os
-from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
-from math import ceil, log10, nan, pi, sqrt
+from functools import cached_property
+from math import ceil, log10, nan, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.analysis.points.checks import check_set, check_sets
+from tilewright.analysis.points.checks import check_set, check_sets, check_shape
+from tilewright.analysis.points.periodograms import (
+    frequency_steps,
+    half_periodogram,
+    mean_half_periodogram,
+    spectrum_shape,
+    unfold,
+)
 from tilewright.analysis.points.rings import effective_nyquist, oscillation, oscillation_start
-from tilewright.checks import check_int, check_type, type_error
+from tilewright.checks import check_flag, check_int, check_progress, check_type, type_error
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.point_set import PointSet
@@ -20,11 +25,8 @@ from tilewright.samplers.radius import max_radius
 from tilewright.showing import describe_record
 
 LARGEST_SIZE = 8192
-_TOLERANCE = 1e-9
 _ZERO_POWER = 1e-10
 """Below this, power is what rounding leaves of nothing."""
-_MEMORY = 2**31
-"""Bytes that the transforms under way at once may take, about."""
 
 
 def spectrum_size(count: int) -> int:
@@ -58,7 +60,7 @@ def periodogram(points: PointSet, size: int | None = None) -> NDArray[np.float64
 
     White noise has the mean power 1, and frequency 0 the power N. The frequencies are whole numbers of
     periods across the box, which is exact on a torus. On a plain box they give an estimate: sparse or
-    crowded borders show as a cross along the axes.
+    crowded borders show as a cross along the axes; `power_spectrum` can leave that out.
 
     Parameters
     ----------
@@ -89,8 +91,9 @@ def periodogram(points: PointSet, size: int | None = None) -> NDArray[np.float64
     ((64, 64), 1000)
     """
     given = check_set(points)
-    shape = _shape(given.box, _check_size(size, len(given)))
-    return _unfold(_half_periodogram(shape, given))
+    check_shape(given.box)
+    shape = spectrum_shape(given.box, _check_size(size, len(given)))
+    return unfold(half_periodogram(shape, given))
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,6 +115,8 @@ class Spectrum:
         or no power.
     samples : int64 array, shape (size // 2,)
         How many samples each ring has.
+    tapered : bool
+        Whether points weigh less towards the sides of the box, see `power_spectrum`.
     """
 
     sets: tuple[PointSet, ...]
@@ -119,6 +124,7 @@ class Spectrum:
     radial: NDArray[np.float64]
     anisotropy: NDArray[np.float64]
     samples: NDArray[np.int64]
+    tapered: bool = False
 
     __repr__ = describe_record
 
@@ -135,7 +141,7 @@ class Spectrum:
     @property
     def steps(self) -> tuple[float, float]:
         """Frequency from one row, and from one column, to the next; (1, 1) for squares."""
-        return _steps(self.sets[0].box)
+        return frequency_steps(self.sets[0].box)
 
     @property
     def effective_nyquist(self) -> float:
@@ -163,7 +169,7 @@ class Spectrum:
         wide = min(2 * ceil(last + 1), LARGEST_SIZE)
         radial, samples = self.radial, self.samples
         if wide // 2 > len(radial):
-            power = _unfold(_mean_half_periodogram(self.sets, wide, None))
+            power = unfold(mean_half_periodogram(self.sets, wide, None, self.tapered))
             radial, _, samples = _average_annuli(power, self.steps, wide // 2)
         return oscillation(radial, samples, start, last)
 
@@ -195,7 +201,11 @@ ANISOTROPY_FROM = 16
 
 
 def power_spectrum(
-    sets: PointSet | Sequence[PointSet], size: int | None = None, *, progress: Progress | None = None
+    sets: PointSet | Sequence[PointSet],
+    size: int | None = None,
+    *,
+    tapered: bool = False,
+    progress: Progress | None = None,
 ) -> Spectrum:
     """Average the periodograms of K sets made by one method (Bartlett 1955; Lagae 2007, eq. 6.2 to 6.5).
 
@@ -208,6 +218,11 @@ def power_spectrum(
         Of one box; 10 sets of about 16,384 points in the thesis. Their numbers of points may differ.
     size : int, optional
         Width of the periodograms, even, 8 to 8,192; by default that of the largest set, as in `periodogram`.
+    tapered : bool, optional
+        For plain boxes cut out of a larger plane: points weigh less towards the sides, by Hann's window, and
+        what an even density would have at the lowest frequencies is taken away, so that the cut does not
+        show. Power and noise of white noise stay what they are; the spectrum is blurred by 1.5 samples.
+        Default False.
     progress : callable, optional
         Called as ``progress(done, total, what)``; raise `Cancelled` in it to stop.
 
@@ -231,14 +246,17 @@ def power_spectrum(
     ((128, 128), (64,))
     """
     given = check_sets(sets)
+    check_shape(given[0].box)
+    check_flag("tapered", tapered)
+    check_progress(progress)
     width = _check_size(size, max(len(s) for s in given))
-    power = _unfold(_mean_half_periodogram(given, width, progress))
+    power = unfold(mean_half_periodogram(given, width, progress, tapered))
     power[power.shape[0] // 2, power.shape[1] // 2] = 0
-    radial, variances, samples = _average_annuli(power, _steps(given[0].box), width // 2)
+    radial, variances, samples = _average_annuli(power, frequency_steps(given[0].box), width // 2)
     with np.errstate(divide="ignore", invalid="ignore"):
         anisotropy = 10 * np.log10(variances / radial**2)
     anisotropy[~(radial > _ZERO_POWER)] = nan
-    return Spectrum(given, power, radial, anisotropy, samples)
+    return Spectrum(given, power, radial, anisotropy, samples, tapered)
 
 
 @dataclass(frozen=True)
@@ -323,69 +341,6 @@ def _check_size(size: int | None, count: int) -> int:
             f"is {width}; it must be even", argument="size", value=width, allowed="even"
         )
     return width
-
-
-def _steps(box: Box) -> tuple[float, float]:
-    unit = sqrt(box.volume)
-    return unit / box.extent[1], unit / box.extent[0]
-
-
-def _shape(box: Box, size: int) -> tuple[int, int]:
-    """Rows and columns, both even, that reach frequency size / 2."""
-    rows, columns = (2 * max(1, round(size / step / 2)) for step in _steps(box))
-    return rows, columns
-
-
-def _half_periodogram(shape: tuple[int, int], points: PointSet) -> NDArray[np.float64]:
-    """The half of a periodogram that holds all of it, since points have no imaginary parts.
-
-    Rows have the frequencies -rows / 2 to 0, columns -columns / 2 to columns / 2, both ends included. One
-    thread, so that sums have one order; a type-1 nonuniform FFT (Barnett, Magland & af Klinteberg 2019).
-    """
-    import finufft
-
-    rows, columns = shape[0] // 2 + 1, shape[1] + 1
-    x, y = np.ascontiguousarray((points.points * (2 * pi / np.array(points.box.extent))).T)
-    # The transform has its frequency 0 in the middle row; turning the points puts it in the last one.
-    turned = np.exp(1j * ((rows - 1) // 2) * y)
-    transform = finufft.nufft2d1(
-        y, x, turned, (rows, columns), eps=_TOLERANCE, isign=-1, nthreads=1, upsampfac=1.25
-    )
-    power: NDArray[np.float64] = (transform.real**2 + transform.imag**2) / len(points)
-    return power
-
-
-def _half_periodograms(sets: tuple[PointSet, ...], shape: tuple[int, int]) -> Iterator[NDArray[np.float64]]:
-    """The half periodogram of each set in turn, several at a time."""
-    transform = partial(_half_periodogram, shape)
-    bytes_each = 40 * shape[0] * shape[1]
-    workers = max(1, min(os.cpu_count() or 1, len(sets), _MEMORY // bytes_each))
-    with ThreadPoolExecutor(workers) as pool:
-        for first in range(0, len(sets), workers):
-            yield from pool.map(transform, sets[first : first + workers])
-
-
-def _mean_half_periodogram(
-    sets: tuple[PointSet, ...], size: int, progress: Progress | None
-) -> NDArray[np.float64]:
-    shape = _shape(sets[0].box, size)
-    total = np.zeros((shape[0] // 2 + 1, shape[1] + 1))
-    if progress is not None:
-        progress(0, len(sets), "periodograms")
-    for done, power in enumerate(_half_periodograms(sets, shape), 1):
-        total += power
-        if progress is not None:
-            progress(done, len(sets), "periodograms")
-    return total / len(sets)
-
-
-def _unfold(half: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The whole plane from its half, P(-f) = P(f), without the highest row and column."""
-    middle, columns = half.shape[0] - 1, half.shape[1] - 1
-    whole = np.empty((2 * middle, columns))
-    whole[: middle + 1] = half[:, :-1]
-    whole[middle + 1 :] = half[middle - 1 : 0 : -1, :0:-1]
-    return whole
 
 
 def _average_annuli(

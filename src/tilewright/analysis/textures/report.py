@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.analysis.sheets import check_sheet
+from tilewright.analysis.sheets import need_plots, save_figure
 from tilewright.analysis.textures.looks import measure_looks
 from tilewright.analysis.textures.patches import named_pieces
 from tilewright.analysis.textures.repetition import lattice_share, same_place_share, tile_lag_autocorrelation
@@ -22,7 +22,7 @@ from tilewright.analysis.textures.seams import (
 from tilewright.analysis.textures.structure import seam_novelty, used_share
 from tilewright.checks import check_type
 from tilewright.errors import Progress
-from tilewright.files.atomic import AnyPath, whole_file
+from tilewright.files.atomic import AnyPath
 from tilewright.pixels import as_rgb
 from tilewright.seeds import check_seed
 from tilewright.showing import describe_record
@@ -180,6 +180,7 @@ class Report:
         matplotlib.figure.Figure
             A sheet of 16 x 10 inches.
         """
+        need_plots()
         from matplotlib.figure import Figure
 
         sample, n = self.sample, self.sample.size
@@ -240,9 +241,7 @@ class Report:
         TilewrightFileError
             The file cannot be written.
         """
-        path = check_sheet(path)
-        with whole_file(path) as unfinished:
-            self.sheet().savefig(unfinished, dpi=110, format=path.suffix[1:].lower())
+        save_figure(path, self.sheet, dpi=110)
 
 
 def analyze_texture(

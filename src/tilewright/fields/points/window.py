@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tilewright.checks import check_int, check_out, check_real
 from tilewright.errors import TilewrightValueError
 from tilewright.showing import Shown, describe, many
+from tilewright.tabling import Tabled
 from tilewright.tilings.domain import LARGEST_CELL
 
 MOST_POINTS = 2**31
@@ -20,7 +21,7 @@ _COARSEST = 0.01
 
 
 @dataclass(frozen=True, eq=False)
-class PointWindow(Shown):
+class PointWindow(Shown, Tabled):
     """Points of a window and who they are.
 
     Attributes
@@ -52,6 +53,30 @@ class PointWindow(Shown):
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
         return np.array(self.points, dtype, copy=copy)
 
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Give the points and who they are as columns.
+
+        Returns
+        -------
+        dict of str to array, shape (n,)
+            ``x`` and ``y``, ``cell_x`` and ``cell_y``, ``number``, ``rank``, and ``id`` where the cells are
+            near enough to fit into it, see `ids`.
+        """
+        (x, y), (cell_x, cell_y) = self.points.T, self.cells.T
+        made = {
+            "x": x,
+            "y": y,
+            "cell_x": cell_x,
+            "cell_y": cell_y,
+            "number": self.numbers,
+            "rank": self.ranks,
+        }
+        return {**made, "id": self.ids} if self._ids_fit() else made
+
+    def _ids_fit(self) -> bool:
+        reach = 2 ** ((64 - self.bits) // 2 - 1)
+        return not len(self.cells) or bool(self.cells.min() >= -reach and self.cells.max() < reach)
+
     @property
     def ids(self) -> NDArray[np.uint64]:
         """Cell and number in one word, uint64, shape (n,): number, cell y and cell x from the low bits up.
@@ -65,7 +90,7 @@ class PointWindow(Shown):
         """
         half = (64 - self.bits) // 2
         reach = 2 ** (half - 1)
-        if len(self.cells) and (self.cells.min() < -reach or self.cells.max() >= reach):
+        if not self._ids_fit():
             raise TilewrightValueError(
                 f"cells reach from {self.cells.min()} to {self.cells.max()}; ids hold -{reach} to "
                 f"{reach - 1}, so use cells and numbers"

@@ -7,6 +7,7 @@ from typing import Any
 
 from tilewright.checks import check_choice
 from tilewright.errors import Progress, TilewrightTypeError
+from tilewright.extras import need_package
 from tilewright.seeds import Seed
 from tilewright.signals.points.point_tiles import PointTiles
 from tilewright.signals.points.spikes import find_spikes
@@ -111,6 +112,8 @@ def make_point_tiles(
         A relative radius for a method that takes none, or an argument of another type.
     TilewrightValueError
         An unknown method, or a number that the method cannot use.
+    MissingExtra
+        The package finufft is not installed.
 
     Examples
     --------
@@ -130,6 +133,7 @@ def make_point_tiles(
     radius = known.rho if rho is None else rho
     if radius is not None:
         given["rho"] = radius
+    need_package("finufft", "making point tiles")
     module, function = known.home.split(".")
     run = getattr(import_module(f"tilewright.signals.points.{module}"), function)
     made: PointTiles = run(**{**given, **settings})

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_type
 from tilewright.errors import TilewrightValueError
+from tilewright.signals.points.fourier import fourier_sums
 from tilewright.signals.points.point_tiles import PointTiles
 
 _USUAL_POINTS = 16384
@@ -33,16 +34,13 @@ def mean_spectrum(
 
     points : shape (P, 2), in tile lengths, modulo 1; weights : shape (P,).
     """
-    # One thread, so that the result does not depend on their number.
-    import finufft
-
     size = 2 * reach + 2
     if not len(points):
         return np.zeros((size - 1, size - 1), np.complex128)
     angle = (2 * np.pi * (points % 1.0)).astype(np.float32)
     x, y = np.ascontiguousarray(angle[:, 0]), np.ascontiguousarray(angle[:, 1])
     strengths = weights.astype(np.complex64)
-    full = finufft.nufft2d1(x, y, strengths, (size, size), isign=-1, eps=1e-5, nthreads=1)
+    full = fourier_sums(x, y, strengths, (size, size), 1e-5)
     spectrum = full[1:, 1:].astype(np.complex128)
     spectrum[reach, reach] = 0
     return spectrum

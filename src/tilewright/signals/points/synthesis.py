@@ -6,6 +6,7 @@ import numpy as np
 
 from tilewright.checks import check_choice, check_int, check_real
 from tilewright.errors import Progress, TilewrightValueError
+from tilewright.extras import need_package
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import max_radius
 from tilewright.seeds import Seed, derive_key, make_key
@@ -76,6 +77,8 @@ def poisson_tiles(
         An argument of another type.
     TilewrightValueError
         The disks are too large for a tile, or rho cannot be reached.
+    MissingExtra
+        The package finufft is not installed.
 
     Examples
     --------
@@ -107,6 +110,7 @@ def poisson_tiles(
             argument="rho",
             value=rho,
         )
+    need_package("finufft", "making point tiles")
     key = make_key(seed)
     for attempt in range(_TRIES):
         tried = derive_key(key, attempt)

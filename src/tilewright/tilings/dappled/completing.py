@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.checks import check_int, check_progress, shape_error, type_error
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.seeds import check_seed
-from tilewright.tilings.clauses import Clauses
+from tilewright.tilings.clauses import Clauses, need_solver
 from tilewright.tilings.dappled.conditions import (
     Cells,
     Conditions,
@@ -91,6 +91,7 @@ def complete_dapple(
     check_progress(progress)
     cells = as_cells("partial", partial, conditions.tiles if tiles is not None else 256, free=True)
     conditions = Conditions(conditions, max(conditions.tiles, int(cells.max()) + 1))
+    need_solver()
     formula = write_formula(cells, cells < 0, conditions, cyclic=cyclic)
     values = formula.clauses.solve(seed=seed, seconds=seconds, progress=progress)
     if values is None:
