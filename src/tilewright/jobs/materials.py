@@ -271,7 +271,8 @@ def texture_tiles(
     ----------
     photo : path, array of shape (h, w) or (h, w, channels), or dict of map name to either
         A single picture becomes the map ``"albedo"``; a folder gives the maps that its file names tell, see
-        `find_maps`. Arrays hold uint8, uint16 or float32.
+        `find_maps`. Arrays hold uint8, uint16 or float32; other types are turned into these as `Exemplar`
+        says, and other libraries' arrays are taken by ``__array__`` or ``__dlpack__``.
     tiles : TileSet, optional
         Corner, corner-coded or Wang tiles; by default those that suit the photograph, and with an older
         ``method`` the complete corner set over 2 colors, over 4 with two photographs.
