@@ -68,7 +68,8 @@ def _warn_of_emptiness(name: str, pixels: NDArray[Any], color: bool) -> None:
         said = "is transparent everywhere; save it without alpha if that is not meant"
     # A few pixels are enough to see that most pictures are none of this kind.
     elif (pixels[::61, ::61] == pixels[0, 0]).all() and (pixels == pixels[0, 0]).all():
-        said = f"is {', '.join(f'{value:g}' for value in np.unique(pixels[0, 0]))} everywhere"
+        value = pixels[0, 0] if np.ptp(pixels[0, 0]) else pixels[0, 0, :1]
+        said = f"is {', '.join(f'{number:g}' for number in value)} everywhere"
     else:
         return
     warnings.warn(f"{name} {said}", TilewrightWarning, stacklevel=2)

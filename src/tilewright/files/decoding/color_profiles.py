@@ -1,8 +1,8 @@
 """ICC profiles: from the colors a profile describes to sRGB.
 
-8-bit pixels are converted by littleCMS, relative colorimetric. It takes no more bits through Pillow, so
-16-bit and float pixels are converted here, by a profile's matrix and curves (ICC.1:2022, sections 8.3, 10.6
-and 10.18).
+8-bit colors are converted by littleCMS, relative colorimetric. It takes no more bits through Pillow, and dark
+8-bit gray comes out of it 10 of 255 too dark, so gray, 16-bit and float pixels are converted here, by a
+profile's matrix and curves (ICC.1:2022, sections 8.3, 10.6 and 10.18).
 """
 
 import io
@@ -58,7 +58,7 @@ def convert_profile(pixels: NDArray[Any], profile: bytes) -> tuple[NDArray[Any],
         return (pixels, "") if space.is_linear else (space.to_srgb(pixels), f"{name} to linear light of sRGB")
     if _is_srgb(profile, kind):
         return pixels, ""
-    if pixels.dtype == np.uint8:
+    if pixels.dtype == np.uint8 and kind == "RGB":
         return _convert_bytes(pixels, profile, kind), f"{name} to sRGB"
     return _read_space(profile, name).to_srgb(pixels), f"{name} to sRGB"
 

@@ -5,7 +5,8 @@ OpenImageIO decodes most: it keeps 16 bits and floats, and says when pixels are 
 - AVIF, which OpenImageIO is built without;
 - BMP, DDS without compression and ICO: OpenImageIO takes bytes for alpha that are none, exchanges channels
   that lie in an unusual order, and makes gray black;
-- L*a*b* TIFF, which OpenImageIO takes for RGB;
+- TIFF of L*a*b*, which OpenImageIO takes for RGB, and of palettes, whose 16 bits it scales as other programs
+  do not write them;
 - JPEG with a gain map, which OpenImageIO makes a picture of high dynamic range from, and JPEG with stray
   bytes between the segments of its header.
 """
@@ -64,7 +65,8 @@ def _decode_png(path: Path) -> Decoded:
     chunks = read_chunks(path)
     if chunks.fault:
         raise TilewrightFileError(f"{path} is not a whole PNG image ({chunks.fault})", value=path)
-    decoded = by_openimageio(path)
+    # libpng leaves out profiles that do not go with the channels, without a word.
+    decoded = replace(by_openimageio(path), profile=chunks.profile)
     others = say_others(chunks.pictures - 1, "an animation")
     if chunks.code_points:
         return replace(_in_code_points(decoded, chunks.code_points), profile=b"").noting(others)
@@ -146,6 +148,8 @@ def _decode_tiff(path: Path) -> Decoded:
         return by_pillow(path, page=pages.page).noting(
             "its colors were converted from CIE L*a*b* to sRGB", say_others(pages.others)
         )
+    if pages.is_palette:
+        return by_pillow(path, page=pages.page).noting(say_others(pages.others))
     decoded = by_openimageio(path, pages.page)
     return replace(
         decoded, channels=_tiff_channels(pages, decoded.channels), associated=pages.associated

@@ -16,6 +16,9 @@ from tilewright.pixels import as_pixels
 
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float32, "float": np.float32}
 
+_COUNTED_ELSEWHERE = ("JPEG", "MPO", "TIFF")
+"""Formats whose further pictures Pillow counts too: those of telephones are previews and gain maps."""
+
 
 def say_others(others: int, what: str = "several pictures") -> str:
     """A note of pictures that are not read, empty where there are none."""
@@ -104,7 +107,7 @@ def by_pillow(path: Path, data: bytes | None = None, page: int = 0) -> Decoded:
                 if image.mode == "LAB":
                     return Decoded(lab_to_srgb(np.array(image)), PICTURE_CHANNELS[3])
                 sizes = len(image.info.get("sizes", ()))
-                frames = sizes or (1 if image.format in ("JPEG", "MPO") else getattr(image, "n_frames", 1))
+                frames = 1 if image.format in _COUNTED_ELSEWHERE else getattr(image, "n_frames", 1)
                 pixels = as_pixels(str(path), image)
     except TilewrightError:
         raise

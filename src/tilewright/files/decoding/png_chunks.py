@@ -11,7 +11,9 @@ from pathlib import Path
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _KEPT = (b"cICP", b"iCCP", b"sRGB", b"gAMA", b"cHRM", b"acTL")
 """Chunks that say how the numbers are meant, and that there are several pictures."""
-_LONGEST_KEPT = 64
+_LONGEST_PROFILE = 1 << 24
+_DAMAGED = b"?"
+"""Stands for a profile that cannot be unpacked."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +25,7 @@ class PngChunks:
     fault : str
         What is wrong with them; empty where the file is whole, or no PNG file.
     kept : dict of bytes to bytes
-        The beginnings of those that say how the numbers are meant.
+        Those that say how the numbers are meant.
     """
 
     fault: str = ""
@@ -34,6 +36,15 @@ class PngChunks:
         """Primaries and transfer function as numbers of ITU-T H.273."""
         stated = self.kept.get(b"cICP", b"")
         return (stated[0], stated[1]) if len(stated) == 4 else None
+
+    @property
+    def profile(self) -> bytes:
+        """The ICC profile, as it is; empty where there is none."""
+        _, _, stated = self.kept.get(b"iCCP", b"").partition(b"\0")
+        try:
+            return zlib.decompressobj().decompress(stated[1:], _LONGEST_PROFILE)
+        except zlib.error:
+            return _DAMAGED if stated else b""
 
     @property
     def gamma(self) -> float | None:
@@ -69,7 +80,7 @@ def read_chunks(path: Path) -> PngChunks:
             first = True
             while left and (piece := file.read(min(left, 1 << 20))):
                 if first and kind in _KEPT:
-                    kept[kind] = piece[:_LONGEST_KEPT]
+                    kept[kind] = piece
                 first = False
                 left -= len(piece)
                 checksum = zlib.crc32(piece, checksum)

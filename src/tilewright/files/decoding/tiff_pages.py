@@ -11,7 +11,7 @@ _REDUCED, _MASK = 1, 4
 _RAW_PHOTOMETRICS = (32803, 34892)
 """A mosaic of filters, and linear light of a sensor."""
 _DNG_VERSION = 50706
-_LAB, _OTHER_LABS = 8, (9, 10)
+_PALETTE, _LAB, _OTHER_LABS = 3, 8, (9, 10)
 _LOG = (32844, 32845)
 _UNSPECIFIED, _ASSOCIATED, _STRAIGHT = 0, 1, 2
 
@@ -50,6 +50,11 @@ class TiffPages:
     def is_lab(self) -> bool:
         """CIE L*a*b*, as Pillow reads it."""
         return self.photometric == _LAB and self.bits == 8
+
+    @property
+    def is_palette(self) -> bool:
+        """Numbers of colors in a table."""
+        return self.photometric == _PALETTE and self.bits <= 8
 
     @property
     def refused_colors(self) -> str:
