@@ -201,6 +201,15 @@ def test_a_pillow_image_brings_its_profile(tmp_path):
         assert not np.array_equal(open_picture("photo", image, color=False), wanted)
 
 
+def test_one_photograph_is_shown_as_every_other_method_shows_it(tmp_path):
+    path = keep(tmp_path, "a.png", png(8, 2, counted(3, 255), icc_chunk(profile())))
+    wanted = read(path, "converted")
+    with Image.open(path) as image, pytest.warns(TilewrightWarning, match="converted"):
+        assert np.array_equal(tw.RepeatField(image).photo, wanted)
+    with Image.open(path) as image:
+        assert np.array_equal(tw.RepeatField(image, kind="data").photo, counted(3, 255))
+
+
 def chromaticities(*xy):
     white, *primaries = np.array(xy).reshape(4, 2)[[3, 0, 1, 2]]
     return b"cHRM", struct.pack(">8I", *(round(v * 100_000) for v in (*white, *np.ravel(primaries))))

@@ -12,6 +12,7 @@ OpenImageIO decodes most: it keeps 16 bits and floats, and says when pixels are 
 """
 
 import struct
+import warnings
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -114,9 +115,11 @@ def _by_exif(path: Path, decoded: Decoded) -> Decoded:
     from PIL import Image
 
     try:
-        with Image.open(path) as image:
-            exif = image.getexif()
-            space, index = (exif.get_ifd(part) for part in (_EXIF, _INTEROPERABILITY))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of damaged tags
+            with Image.open(path) as image:
+                exif = image.getexif()
+                space, index = (exif.get_ifd(part) for part in (_EXIF, _INTEROPERABILITY))
     except (OSError, SyntaxError, ValueError, KeyError, TypeError, struct.error):
         return decoded  # damaged, or written in a way of its maker
     if space.get(_COLOR_SPACE) != _UNCALIBRATED:

@@ -1,7 +1,6 @@
 """Pixels by OpenImageIO and by Pillow, in one form; complaints of both in one form too."""
 
 import io
-import struct
 import warnings
 from pathlib import Path
 from typing import Any
@@ -33,7 +32,7 @@ def by_openimageio(path: Path, page: int = 0, count: bool = False) -> Decoded:
     config.attribute("oiio:UnassociatedAlpha", 1)
     source = oiio.ImageInput.open(str(path), config)
     if source is None:
-        raise _refusal(path, oiio.geterror())
+        raise _refusal(path)
     try:
         if page:
             source.seek_subimage(page, 0)
@@ -59,8 +58,14 @@ def by_openimageio(path: Path, page: int = 0, count: bool = False) -> Decoded:
     ).noting(say_others(others))
 
 
-def _refusal(path: Path, reason: str) -> TilewrightFileError:
+def _refusal(path: Path) -> TilewrightFileError:
     """Why a file could not be opened, without a library's own words."""
+    import OpenImageIO as oiio
+
+    try:
+        reason = oiio.geterror()
+    except UnicodeDecodeError:  # it quotes damaged bytes
+        return damaged_error(path)
     if "exceeds" in reason:
         return TilewrightFileError(
             f"{path} states a size of more than 1,048,576 pixels on a side or 32 GB", value=path
@@ -115,7 +120,7 @@ def by_pillow(path: Path, data: bytes | None = None, page: int = 0) -> Decoded:
         raise unknown_error(path) from None
     except Image.DecompressionBombError:
         raise TilewrightFileError(f"{path} is too large for its format", value=path, advice=ADVICE) from None
-    except (OSError, ValueError, NotImplementedError, SyntaxError, EOFError, struct.error, IndexError):
+    except Exception:  # each of its decoders has its own errors
         raise damaged_error(path) from None
     note = f"holds {sizes} sizes; the largest is taken" if sizes > 1 else say_others(frames - 1)
     return Decoded(pixels, PICTURE_CHANNELS[pixels.shape[-1]], profile=profile).noting(note)

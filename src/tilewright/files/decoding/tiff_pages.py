@@ -78,15 +78,20 @@ def read_pages(path: Path) -> TiffPages | None:
     """What a TIFF file says of its pictures; None where its directories cannot be read."""
     import tifffile
 
+    log = tifffile.logger()
+    disabled, log.disabled = log.disabled, True  # what is damaged is said once, by the decoder
     try:
         with tifffile.TiffFile(path) as file:
-            pages = list(file.pages)
-            return _describe([page.aspage() for page in pages])
-    except Exception:  # whatever a damaged directory makes of tifffile: the decoder will say
+            return _describe([page.aspage() for page in file.pages])
+    except Exception:  # whatever a damaged directory makes of tifffile
         return None
+    finally:
+        log.disabled = disabled
 
 
-def _describe(pages: list[Any]) -> TiffPages:
+def _describe(pages: list[Any]) -> TiffPages | None:
+    if not pages:
+        return None
     everything = [*pages, *(inner for page in pages for inner in (page.pages or ()))]
     inner = [page.aspage() for page in everything]
     if any(int(p.photometric) in _RAW_PHOTOMETRICS or _DNG_VERSION in p.tags for p in inner):
