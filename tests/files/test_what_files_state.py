@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 import pytest
-from PIL import Image, ImageCms
+from PIL import Image, ImageCms, features
 
 import odd_images
 import tilewright as tw
@@ -249,6 +249,7 @@ def test_cameras_state_adobe_rgb_by_exif(tmp_path):
     assert np.abs(shown - by_littlecms(plain, profile("adobe")).astype(int)).max() <= 2
     other = exif.replace(b"R03", b"R98")
     read(keep(tmp_path, "c.jpg", by_pillow(smooth(), format="JPEG", quality=95, exif=other)), "not sRGB")
+    read(tmp_path / "c.jpg", color=False)
 
 
 def exr(path, names, pixels, **attributes):
@@ -335,12 +336,13 @@ def test_associated_alpha_is_divided_out(tmp_path, kind):
     assert (read(tmp_path / "a.tif", "light where its alpha is 0")[:, 0, 0] == most).all()
 
 
-def test_colors_go_to_exr_and_back(tmp_path):
-    pixels = (counted(4, 255) / 255).astype(np.float32)
+@pytest.mark.parametrize("channels", [2, 4])
+def test_colors_go_to_exr_and_back(tmp_path, channels):
+    pixels = (counted(channels, 255) / 255).astype(np.float32)
     tw.write_image(tmp_path / "a.exr", pixels)
     stored = read(tmp_path / "a.exr", color=False)
-    assert np.array_equal(stored[..., :3], pixels[..., :3] * pixels[..., 3:])
-    seen = pixels[..., 3] > 0
+    assert np.array_equal(stored[..., :-1], pixels[..., :-1] * pixels[..., -1:])
+    seen = pixels[..., -1] > 0
     assert np.abs(read(tmp_path / "a.exr") - pixels)[seen].max() < 1e-6
 
 
@@ -388,6 +390,12 @@ def test_the_first_of_several_pictures_is_taken(tmp_path, name, data):
     assert np.array_equal(read(keep(tmp_path, name, data), note)[..., :3], counted(3, 255))
 
 
+def test_avif_that_cannot_be_read_is_named(tmp_path, monkeypatch):
+    monkeypatch.setattr(features, "check", lambda name: False)
+    with pytest.raises(TilewrightError, match="is AVIF, which this Pillow does not read; install"):
+        tw.read_image(keep(tmp_path, "a.avif", b"\0\0\0\x18ftypavif\0\0\0\0mif1avif" + bytes(40)))
+
+
 def test_the_first_picture_of_a_gif_is_taken(tmp_path):
     shown = read(keep(tmp_path, "a.gif", frames("GIF")), "several pictures; the first of 3")
     assert np.abs(shown[..., :3].astype(int) - counted(3, 255)).mean() < 30
@@ -413,6 +421,7 @@ def test_the_largest_picture_of_an_icon_is_taken(tmp_path):
     assert read(keep(tmp_path, "a.ico", target.getvalue()), "2 sizes; the largest").shape == (64, 64, 4)
 
 
+@pytest.mark.skipif(not features.check("avif"), reason="Pillow is built without AVIF")
 def test_avif_is_read(tmp_path):
     options = {"format": "AVIF", "quality": 95, "subsampling": "4:4:4"}
     shown = read(keep(tmp_path, "a.avif", by_pillow(smooth(4), **options)))
@@ -460,6 +469,18 @@ def test_files_that_are_cut_off_are_refused(tmp_path, name):
         tw.read_image(keep(tmp_path, name, data[: len(data) // 2]))
     assert "\n" not in str(error.value)
     assert "OpenImageIO" not in str(error.value)
+
+
+def test_bitmaps_may_be_as_large_as_photographs_are(tmp_path):
+    row = np.packbits(np.arange(20_000) % 3 == 0).tobytes()
+    row += bytes(-len(row) % 4)
+    info = struct.pack("<IiiHHIIiiII", 40, 20_000, 10_000, 1, 1, 0, 0, 0, 0, 0, 0)
+    head = struct.pack("<2sIHHI", b"BM", 0, 0, 0, 62) + info + bytes(4) + b"\xff\xff\xff\0"
+    usual = Image.MAX_IMAGE_PIXELS
+    shown = read(keep(tmp_path, "a.bmp", head + row * 10_000))
+    assert shown.shape == (10_000, 20_000, 1)
+    assert (shown[:, :4, 0] == (255, 0, 0, 255)).all()
+    assert usual == Image.MAX_IMAGE_PIXELS
 
 
 def test_damaged_jpeg_is_no_jpeg_with_stray_bytes(tmp_path):

@@ -29,6 +29,8 @@ class Decoded:
         The ICC profile; empty where there is none.
     space : RgbSpace or None
         The color space, where the file states one otherwise.
+    unheeded : str
+        What it states of the colors that is not known here.
     orientation : int
         Which sides row 0 and column 0 show, as Exif has it, 1 to 8.
     notes : tuple of str
@@ -40,6 +42,7 @@ class Decoded:
     associated: bool = False
     profile: bytes = b""
     space: RgbSpace | None = None
+    unheeded: str = ""
     orientation: int = 1
     notes: tuple[str, ...] = field(default=())
 
@@ -84,13 +87,18 @@ class Decoded:
         try:
             shown, done = self._convert(colors)
         except ProfileError as error:
-            return self.noting(f"{error}; its numbers are taken as {self._plain}")
+            return self._taken_plainly(str(error))
+        if self.unheeded:
+            return self._taken_plainly(self.unheeded)
         if not done:
             return self
         pixels = self.pixels.copy() if alpha else shown
         if alpha:
             pixels[..., :-1] = shown
         return replace(self, pixels=pixels).noting(f"its colors were converted from {done}")
+
+    def _taken_plainly(self, reason: str) -> "Decoded":
+        return self.noting(f"{reason}; its numbers are taken as {self._plain}")
 
     @property
     def _plain(self) -> str:

@@ -90,11 +90,10 @@ def _png_space(chunks: PngChunks) -> RgbSpace | None:
 
 def _in_code_points(decoded: Decoded, points: tuple[int, int]) -> Decoded:
     space = space_of_code_points(*points)
-    known = space is not None or 2 in points  # 2: not specified
-    note = (
-        "" if known else f"its color space (H.273: primaries {points[0]}, transfer {points[1]}) is not heeded"
-    )
-    return replace(decoded, space=space).noting(note)
+    if space is not None or 2 in points:  # 2: not specified
+        return replace(decoded, space=space)
+    named = f"H.273: primaries {points[0]}, transfer {points[1]}"
+    return replace(decoded, unheeded=f"its color space ({named}) is not heeded")
 
 
 def _decode_jpeg(path: Path) -> Decoded:
@@ -126,9 +125,7 @@ def _by_exif(path: Path, decoded: Decoded) -> Decoded:
         return decoded
     if index.get(_INDEX) == _ADOBE_RGB:
         return replace(decoded, space=adobe_rgb())
-    return decoded.noting(
-        "its Exif data say that its colors are not sRGB, and not what they are; taken as sRGB"
-    )
+    return replace(decoded, unheeded="its Exif data say that its colors are not sRGB, and not what they are")
 
 
 def _decode_tiff(path: Path) -> Decoded:
@@ -193,6 +190,14 @@ def _decode_dds(path: Path) -> Decoded:
 
 
 def _decode_avif(path: Path) -> Decoded:
+    from PIL import features
+
+    if not features.check("avif"):
+        raise TilewrightFileError(
+            f"{path} is AVIF, which this Pillow does not read",
+            value=path,
+            advice="install Pillow 11.3 or newer",
+        )
     decoded = by_pillow(path)
     points = avif_code_points(path)
     return decoded if decoded.profile or points is None else _in_code_points(decoded, points)

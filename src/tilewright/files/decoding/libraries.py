@@ -9,12 +9,14 @@ import numpy as np
 
 from tilewright.errors import TilewrightError, TilewrightFileError
 from tilewright.files.decoding.decoded import PICTURE_CHANNELS, Decoded
-from tilewright.files.decoding.formats import ADVICE, damaged_error, unknown_error
+from tilewright.files.decoding.formats import damaged_error, unknown_error
 from tilewright.files.decoding.rgb_spaces import RgbSpace, gamma_curve, lab_to_srgb, space_of
 from tilewright.pixels import as_pixels
 
 _TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float32, "float": np.float32}
 
+_MOST_PIXELS = 1 << 30
+"""Half of what Pillow refuses; by itself it stops at photographs of 179 million, which telephones make."""
 _COUNTED_ELSEWHERE = ("JPEG", "MPO", "TIFF")
 """Formats whose further pictures Pillow counts too: those of telephones are previews and gain maps."""
 
@@ -102,6 +104,7 @@ def by_pillow(path: Path, data: bytes | None = None, page: int = 0) -> Decoded:
     """A picture of a file by Pillow, upright; ``data`` are its bytes where they were mended."""
     from PIL import Image
 
+    usual, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, _MOST_PIXELS
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of sizes, and of pieces of metadata that are damaged
@@ -119,8 +122,10 @@ def by_pillow(path: Path, data: bytes | None = None, page: int = 0) -> Decoded:
     except Image.UnidentifiedImageError:
         raise unknown_error(path) from None
     except Image.DecompressionBombError:
-        raise TilewrightFileError(f"{path} is too large for its format", value=path, advice=ADVICE) from None
+        raise TilewrightFileError(f"{path} states a size of more than 2^31 pixels", value=path) from None
     except Exception:  # each of its decoders has its own errors
         raise damaged_error(path) from None
+    finally:
+        Image.MAX_IMAGE_PIXELS = usual
     note = f"holds {sizes} sizes; the largest is taken" if sizes > 1 else say_others(frames - 1)
     return Decoded(pixels, PICTURE_CHANNELS[pixels.shape[-1]], profile=profile).noting(note)
