@@ -12,8 +12,10 @@ from tilewright.pixels import (
     LUMA,
     LUMINANCE,
     MAP_WORDS,
+    as_pixels,
     as_rgb,
     as_rgba,
+    as_texels,
     has_alpha,
     mean_gray,
     read_hex,
@@ -90,3 +92,75 @@ def test_the_weights_of_light_stand_in_one_place():
     weights = re.compile(r"0?\.(299|587|114|2126|7152|0722)\b")
     found = [p.name for p in source.parent.rglob("*.py") if weights.search(p.read_text())]
     assert found == ["pixels.py"]
+
+
+COUNTING = np.arange(12).reshape(3, 4)
+
+
+@pytest.mark.parametrize(
+    ("given", "kind", "wanted"),
+    [
+        (COUNTING > 5, np.uint8, (COUNTING > 5) * 255),
+        (COUNTING.astype(np.int64) * 23, np.uint8, COUNTING * 23),
+        (COUNTING.astype(np.int64) * 24, np.uint16, COUNTING * 24),
+        (COUNTING.astype(np.int16), np.uint8, COUNTING),
+        (COUNTING.astype(np.uint64) * 5957, np.uint16, COUNTING * 5957),
+        (COUNTING / 8, np.float32, COUNTING / 8),
+        (COUNTING.astype(np.float16) / 8, np.float32, COUNTING / 8),
+        (COUNTING.astype(np.uint16), np.uint16, COUNTING),
+    ],
+)
+def test_other_types_become_those_of_pictures(given, kind, wanted):
+    texels = as_texels("photo", given)
+    assert texels.dtype == kind
+    assert np.array_equal(texels, wanted)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        (
+            COUNTING - 1,
+            "photo has type int64 and holds -1 to 10; allowed are integers from 0 to 65535",
+        ),
+        (COUNTING * 6000, "holds 0 to 66000"),
+        (COUNTING * 1j, "photo has type complex128; allowed are uint8, uint16, float32, and"),
+        (COUNTING.astype(str), "has type <U"),
+    ],
+)
+def test_numbers_that_no_picture_holds_are_refused(given, message):
+    with pytest.raises(TilewrightError, match=re.escape(message)) as error:
+        as_texels("photo", given)
+    assert "\n" not in str(error.value)
+
+
+class Offering:
+    """An array of another library, which offers its numbers by one protocol."""
+
+    def __init__(self, protocol, numbers):
+        offers = {
+            "__array__": lambda self, dtype=None, copy=None: numbers,
+            "__array_interface__": property(lambda self: numbers.__array_interface__),
+            "__dlpack__": lambda self, **rest: numbers.__dlpack__(**rest),
+        }
+        names = (protocol, "__dlpack_device__") if protocol == "__dlpack__" else (protocol,)
+        offers["__dlpack_device__"] = lambda self: numbers.__dlpack_device__()
+        self.__class__ = type("Tensor", (Offering,), {name: offers[name] for name in names})
+
+
+@pytest.mark.parametrize("protocol", ["__array__", "__array_interface__", "__dlpack__"])
+def test_arrays_of_other_libraries_are_taken(protocol):
+    numbers = COUNTING.astype(np.uint8)
+    pixels = as_pixels("photo", Offering(protocol, numbers))
+    assert isinstance(pixels, np.ndarray)
+    assert np.array_equal(pixels, numbers)
+
+
+def test_arrays_that_are_not_at_hand_are_refused():
+    class Tensor:
+        def __array__(self, dtype=None, copy=None):
+            raise TypeError("can't convert cuda:0 device type tensor to numpy.")
+
+    with pytest.raises(TilewrightError, match=r"photo is a Tensor whose .*\.cpu\(\)\.numpy\(\)") as error:
+        as_pixels("photo", Tensor())
+    assert "cuda" not in str(error.value)

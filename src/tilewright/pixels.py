@@ -57,27 +57,30 @@ def mean_gray(pixels: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def as_pixels(name: str, given: Any) -> Any:
-    """The pixels of a Pillow image; other pictures as they are.
+    """The pixels of a Pillow image, and of what offers its numbers as an array; others as they are.
 
-    Pixels come as `tilewright.read_image` gives those of the file: upright, palettes expanded, 8 bit as
-    uint8, 16 bit as uint16, floats as float32.
+    Pixels of a Pillow image come as `tilewright.read_image` gives those of the file: upright, palettes
+    expanded, 8 bit as uint8, 16 bit as uint16, floats as float32.
 
     Parameters
     ----------
     name : str
         What the picture is called where it is refused.
-    given : Pillow image or array-like
-        The picture.
+    given : Pillow image, array or array-like
+        The picture. Tensors and labelled arrays of other libraries are taken by ``__array__``,
+        ``__array_interface__`` or ``__dlpack__``, whichever is there first.
 
     Returns
     -------
-    array-like
-        The pixels of a Pillow image, shape (height, width, channels); others as they came.
+    array or array-like
+        The pixels of a Pillow image, shape (height, width, channels); the numbers of an array; others as they
+        came.
 
     Raises
     ------
     TilewrightTypeError
-        A path, which is to be opened where files are read; a Pillow image of another kind.
+        A path, which is to be opened where files are read; a Pillow image of another kind; an array whose
+        numbers are not at hand, as on a GPU.
     """
     if isinstance(given, (str, os.PathLike)):
         raise TilewrightTypeError(
@@ -87,7 +90,76 @@ def as_pixels(name: str, given: Any) -> Any:
             allowed="an array or a Pillow image",
             advice=f"open it: tilewright.read_image({os.fspath(given)!r})",
         )
-    return _read_pillow(name, given) if is_pillow(given) else given
+    return _read_pillow(name, given) if is_pillow(given) else _read_protocol(name, given)
+
+
+def _read_protocol(name: str, given: Any) -> Any:
+    """The numbers of another library's array as a NumPy array; what offers none as it came."""
+    if isinstance(given, np.ndarray):
+        return given
+    try:
+        if hasattr(given, "__array__") or hasattr(given, "__array_interface__"):
+            return np.asarray(given)
+        return np.from_dlpack(given) if hasattr(given, "__dlpack__") else given
+    except Exception:  # each library has its own errors for what lies on a GPU or has a gradient
+        raise TilewrightTypeError(
+            f"is a {type(given).__name__} whose numbers NumPy cannot take",
+            argument=name,
+            value=type(given).__name__,
+            advice="pass it as a NumPy array, as by .detach().cpu().numpy()",
+        ) from None
+
+
+def as_texels(name: str, pixels: NDArray[Any]) -> NDArray[Any]:
+    """Numbers of a type that pictures have: uint8, uint16 or float32.
+
+    Parameters
+    ----------
+    name : str
+        What the picture is called where it is refused.
+    pixels : array
+        Floats of 16 or 64 bits become float32; bool becomes uint8, 0 or 255; other integers become uint8
+        where all lie from 0 to 255, else uint16 where all lie from 0 to 65535.
+
+    Returns
+    -------
+    array
+        The same numbers.
+
+    Raises
+    ------
+    TilewrightTypeError
+        Other integers, or another type.
+    """
+    if pixels.dtype in (np.uint8, np.uint16, np.float32):
+        return pixels
+    if pixels.dtype in (np.float64, np.float16):
+        with np.errstate(over="ignore"):  # what does not fit becomes infinite, and is refused as that
+            return pixels.astype(np.float32)
+    if pixels.dtype == bool:
+        return pixels.astype(np.uint8) * np.uint8(255)
+    if pixels.dtype.kind in "iu":
+        return _as_small_integers(name, pixels)
+    allowed = "uint8, uint16, float32, and bool, integers and floats that fit into these"
+    raise TilewrightTypeError(
+        f"has type {pixels.dtype}; allowed are {allowed}",
+        argument=name,
+        value=pixels.dtype,
+        allowed=allowed,
+    )
+
+
+def _as_small_integers(name: str, pixels: NDArray[Any]) -> NDArray[Any]:
+    low, high = (int(pixels.min()), int(pixels.max())) if pixels.size else (0, 0)
+    if low < 0 or high > 65535:
+        raise TilewrightTypeError(
+            f"has type {pixels.dtype} and holds {low} to {high}; allowed are integers from 0 to 65535",
+            argument=name,
+            value=(low, high),
+            allowed="integers from 0 to 65535",
+            advice="scale them, or pass float32 from 0 to 1",
+        )
+    return pixels.astype(np.uint8 if high <= 255 else np.uint16)
 
 
 def is_pillow(given: Any) -> bool:

@@ -45,7 +45,8 @@ def save_array(material: TextureTiles, path: AnyPath, *, map: str | None = None)
     name = material.main if map is None else check_choice("map", map, tuple(material.maps))
     warn_of_tone(material, name)
     tiles = material.maps[name]
-    write_image(path, np.ascontiguousarray(tiles.reshape(-1, tiles.shape[2], tiles.shape[3])))
+    strip = np.ascontiguousarray(tiles.reshape(-1, tiles.shape[2], tiles.shape[3]))
+    write_image(path, strip, color=material.kinds[name] == "color")
 
 
 def warn_of_tone(material: TextureTiles, map: str) -> None:

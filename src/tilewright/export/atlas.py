@@ -131,4 +131,5 @@ def save_atlas(material: TextureTiles, path: AnyPath, *, map: str | None = None)
     TilewrightFileError
         The file cannot be written.
     """
-    write_image(path, make_atlas(material, map=map)[0])
+    atlas = make_atlas(material, map=map)[0]
+    write_image(path, atlas, color=material.kinds[material.main if map is None else map] == "color")

@@ -295,7 +295,8 @@ class PixelField(Shown, ABC):
                 progress(top, window.height, f"rendering {file.name}")
             return self._render(PixelWindow(window.x + left, window.y + top, columns, rows), name)
 
-        stream_image(file, block, window.height, window.width, form.channels, form.dtype)
+        color = form.kind == "color"
+        stream_image(file, block, window.height, window.width, form.channels, form.dtype, color)
         if progress is not None:
             progress(window.height, window.height, f"rendering {file.name}")
 

@@ -7,38 +7,55 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightFileError, TilewrightValueError
 from tilewright.files.atomic import AnyPath, as_path, whole_file
-from tilewright.files.images import check_writable, first_line, png_fault
+from tilewright.files.decoding.alpha import to_associated
+from tilewright.files.decoding.png_chunks import read_chunks
+from tilewright.files.images import (
+    check_sides,
+    check_writable,
+    image_spec,
+    is_associated,
+    unwritten_error,
+)
 from tilewright.pixels import has_alpha
 
 TILE = 256
 """Side of a TIFF tile, and the most rows rendered at a time."""
 _BLOCK_BYTES = 16 << 20
-_LARGEST_SIDE = 2**31 - 1
 
 Render = Callable[[int, int, int, int], NDArray[Any]]
 """``render(left, top, width, height)``: a block of the picture, shape (height, width, channels)."""
 
 
 def stream_image(
-    path: AnyPath, render: Render, height: int, width: int, channels: int, kind: np.dtype[Any]
+    path: AnyPath,
+    render: Render,
+    height: int,
+    width: int,
+    channels: int,
+    kind: np.dtype[Any],
+    color: bool = True,
 ) -> None:
     """Write a picture that is made a block at a time.
 
     TIFF files are tiled (256 x 256, not compressed) and BigTIFF; PNG and EXR files are written by
     scanlines. One block of about 16 MB is in memory, however wide and high the picture. The file appears
-    when it is complete.
+    when it is complete. Colors are multiplied by alpha in EXR, and nowhere where they are no ``color``.
     """
     path = as_path(path)
     name = check_writable(path, kind)
-    if max(height, width) > _LARGEST_SIDE:
-        raise TilewrightValueError(f"the picture is {width} x {height} pixels; at most 2^31 - 1 on a side")
+    check_sides(path, width, height)
+    if is_associated(path, channels, color):
+        render = _associated(render)
     with whole_file(path) as unfinished:
         if path.suffix.lower() in (".tif", ".tiff"):
             _write_tiff(unfinished, render, height, width, channels, kind)
         else:
             _write_scanlines(path, unfinished, render, height, width, channels, kind, name)
+
+
+def _associated(render: Render) -> Render:
+    return lambda left, top, width, height: to_associated(render(left, top, width, height))
 
 
 def _write_tiff(
@@ -84,14 +101,10 @@ def _write_scanlines(
 ) -> None:
     import OpenImageIO as oiio
 
-    spec = oiio.ImageSpec(width, height, channels, name)
-    spec.attribute("oiio:UnassociatedAlpha", 1)
-    spec.attribute("png:compressionLevel", 4)
-    if path.suffix.lower() == ".exr":
-        spec.attribute("compression", "zip")
+    spec = image_spec(path, width, height, channels, name)
     output = oiio.ImageOutput.create(str(unfinished))
     if output is None:
-        raise TilewrightFileError(f"{path} could not be written ({first_line(oiio.geterror())})", value=path)
+        raise unwritten_error(path)
     written = output.open(str(unfinished), spec)
     try:
         rows = min(TILE, max(1, _BLOCK_BYTES // (width * channels * kind.itemsize)))
@@ -100,19 +113,16 @@ def _write_scanlines(
                 break
             band = np.ascontiguousarray(render(0, top, width, min(rows, height - top)))
             written = output.write_scanlines(top, top + len(band), 0, band)
-        reason = first_line(output.geterror())
     finally:
         closed = output.close()
     if not (written and closed and _is_whole(unfinished, height)):
-        raise TilewrightFileError(
-            f"{path} could not be written ({reason or 'is the disk full?'})", value=path
-        )
+        raise unwritten_error(path)
 
 
 def _is_whole(path: Path, height: int) -> bool:
     """Whether a file just written is all there; the library does not always say that a disk was full."""
     if path.suffix.lower() == ".png":
-        return path.stat().st_size > 0 and not png_fault(path)
+        return path.stat().st_size > 0 and not read_chunks(path).fault
     import OpenImageIO as oiio
 
     source = oiio.ImageInput.open(str(path))

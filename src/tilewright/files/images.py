@@ -1,85 +1,99 @@
 """Photographs and pictures: read and written with their type kept, 8-bit, 16-bit and float."""
 
 import os
-import zlib
+import warnings
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_type, shape_error
-from tilewright.errors import TilewrightFileError, TilewrightTypeError, TilewrightValueError
+from tilewright.checks import check_flag, check_type, shape_error
+from tilewright.errors import (
+    TilewrightFileError,
+    TilewrightTypeError,
+    TilewrightValueError,
+    TilewrightWarning,
+)
 from tilewright.files.atomic import AnyPath, as_path, whole_file
-from tilewright.pixels import as_pixels
+from tilewright.files.decoding.alpha import to_associated
+from tilewright.files.decoding.decoded import PICTURE_CHANNELS, Decoded
+from tilewright.files.decoding.decoders import decode
+from tilewright.pixels import as_pixels, has_alpha, is_pillow
 
-_TYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float32, "float": np.float32}
 _MOST_CHANNELS = 4
+_LARGEST_SIDES = {".png": 1_000_000, ".exr": 1 << 20}
+"""What libpng takes, and what OpenImageIO reads again."""
+_LARGEST_SIDE = 2**31 - 1
 NO_DATE = "1980:01:01 00:00:00"
 """Written instead of the time, so that the same pixels give the same bytes."""
-_PNG = b"\x89PNG\r\n\x1a\n"
 
 
-def read_image(path: AnyPath) -> NDArray[Any]:
+def read_image(path: AnyPath, *, color: bool = True) -> NDArray[Any]:
     """Read the pixels of an image file.
 
     8-bit files come as uint8, 16-bit ones as uint16, half and float ones as float32; palettes are
-    expanded; alpha is kept as it is in the file, not multiplied in; a photograph that its camera marked
-    as turned or mirrored comes upright.
+    expanded; a photograph that its camera marked as turned or mirrored comes upright.
 
     Parameters
     ----------
     path : str or path-like
-        PNG, JPEG, TIFF, EXR or another image format.
+        PNG, JPEG, TIFF, EXR, WebP, AVIF or another image format.
+    color : bool, optional
+        The numbers are light, default True: they come as sRGB (integers) or linear light of sRGB's
+        primaries (floats) whatever color profile, primaries or gamma the file states, and alpha that is
+        multiplied in is divided out, so that it is always straight. False is for maps that hold no color,
+        such as normals: the numbers come as they are in the file.
 
     Returns
     -------
     array, shape (height, width, channels), uint8, uint16 or float32
-        Pixels ``[y, x]`` with row 0 on top, 1 to 4 channels.
+        Pixels ``[y, x]`` with row 0 on top, 1 to 4 channels: gray, gray and alpha, color, color and alpha.
 
     Raises
     ------
     TilewrightTypeError
-        Something else than a path.
+        Something else than a path, or than True and False.
     TilewrightFileError
         The file cannot be read, is not an image, is truncated, or has pixels of another kind.
+
+    Warns
+    -----
+    TilewrightWarning
+        What the file states and is not in the pixels that came, or was converted: a color profile, channels
+        that are neither color nor alpha, further pictures, a gain map.
+
+    Notes
+    -----
+    Conversion is relative colorimetric: 8-bit pixels by littleCMS, others by the matrix and curves of the
+    profile (ICC.1:2022). A profile that means sRGB within 2 of 255 changes nothing.
     """
     path = as_path(path)
-    _check_readable(path)
-    import OpenImageIO as oiio
+    check_flag("color", color)
+    decoded = _decode_file(path)
+    if color:
+        decoded = decoded.as_picture()
+    _check_channels(path, decoded, color)
+    for note in decoded.notes:
+        warnings.warn(f"{path}: {note}", TilewrightWarning, stacklevel=2)
+    return _upright(decoded.pixels, decoded.orientation)
 
-    config = oiio.ImageSpec()
-    config.attribute("oiio:UnassociatedAlpha", 1)
-    source = oiio.ImageInput.open(str(path), config)
-    if source is None:
-        reason = first_line(oiio.geterror()) or "unknown format"
+
+def _check_channels(path: Path, decoded: Decoded, color: bool) -> None:
+    names = decoded.channels
+    if len(names) > _MOST_CHANNELS:
         raise TilewrightFileError(
-            f"{path} cannot be read as an image, such as PNG, JPEG, TIFF or EXR ({reason})", value=path
+            f"{path} has {len(names)} channels; allowed are 1 to {_MOST_CHANNELS}", value=path
         )
-    try:
-        spec = source.spec()
-        kind = _TYPES.get(str(spec.format))
-        if kind is None:
-            raise TilewrightFileError(
-                f"{path} holds {spec.format} pixels; allowed are 8-bit, 16-bit, half and float", value=path
-            )
-        if spec.nchannels > _MOST_CHANNELS:
-            raise TilewrightFileError(
-                f"{path} has {spec.nchannels} channels; allowed are 1 to {_MOST_CHANNELS}", value=path
-            )
-        wanted = "float" if kind is np.float32 else str(spec.format)
-        pixels = source.read_image(0, 0, 0, spec.nchannels, wanted)
-        broken = bool(source.has_error)
-        reason = first_line(source.geterror()) or "not all pixels are there"
-    finally:
-        source.close()
-    if pixels is None or broken:
-        raise TilewrightFileError(f"{path} is truncated or damaged ({reason})", value=path)
-    pixels = pixels.reshape(spec.height, spec.width, -1).astype(kind, copy=False)
-    return _upright(pixels, spec.get_int_attribute("Orientation", 1))
+    if color and not decoded.is_picture:
+        raise TilewrightFileError(
+            f"{path} has the channels {', '.join(names)}; allowed are R, G and B, or Y, with A or without",
+            value=path,
+            advice="read it as data if it holds no color",
+        )
 
 
-def open_picture(name: str, given: Any) -> NDArray[Any]:
+def open_picture(name: str, given: Any, *, color: bool = True) -> NDArray[Any]:
     """The pixels of a picture, however a person brings it: a file's path, a Pillow image, an array.
 
     Parameters
@@ -88,6 +102,8 @@ def open_picture(name: str, given: Any) -> NDArray[Any]:
         What the picture is called where it is refused.
     given : path, Pillow image or array
         The picture.
+    color : bool, optional
+        Its numbers are light, as in `read_image`; default True.
 
     Returns
     -------
@@ -102,18 +118,27 @@ def open_picture(name: str, given: Any) -> NDArray[Any]:
         ``given`` is none of these.
     """
     if isinstance(given, (str, os.PathLike)):
-        return read_image(given)
+        return read_image(given, color=color)
     pixels = as_pixels(name, given)
     if not isinstance(pixels, np.ndarray):
         allowed = "a path, an array or a Pillow image"
         raise TilewrightTypeError(
-            f"must be {allowed}, not {type(given).__name__}", argument=name, value=given, allowed=allowed
+            f"must be {allowed}, not {type(given).__name__}",
+            argument=name,
+            value=given,
+            allowed=allowed,
+            advice="pass numpy.asarray(...) of it" if isinstance(given, (list, tuple)) else "",
         )
+    if color and is_pillow(given) and (profile := given.info.get("icc_profile")):
+        shown = Decoded(pixels, PICTURE_CHANNELS[pixels.shape[-1]], profile=profile).as_picture()
+        for note in shown.notes:
+            warnings.warn(f"{name}: {note}", TilewrightWarning, stacklevel=2)
+        return shown.pixels
     return pixels
 
 
-def _check_readable(path: Path) -> None:
-    """Refuse what is no file, and a damaged PNG before a C library prints its own complaint."""
+def _decode_file(path: Path) -> Decoded:
+    """What is in a file, which must be a plain one that can be read."""
     try:
         if path.is_dir():
             raise TilewrightFileError(f"{path} is a folder; an image file is expected", value=path)
@@ -121,36 +146,12 @@ def _check_readable(path: Path) -> None:
             raise TilewrightFileError(f"{path} does not exist", value=path)
         if not path.is_file():
             raise TilewrightFileError(f"{path} is not a plain file; an image file is expected", value=path)
-        fault = png_fault(path)
+        return decode(path)
     except TilewrightFileError:
         raise
     except OSError as error:
         reason = (error.strerror or str(error)).lower()
         raise TilewrightFileError(f"{path} cannot be read: {reason}", value=path) from None
-    if fault:
-        raise TilewrightFileError(f"{path} is not a whole PNG image ({fault})", value=path)
-
-
-def png_fault(path: Path) -> str:
-    """What is wrong with the chunks of a PNG file; nothing where it is whole, or another kind of file."""
-    with path.open("rb") as file:
-        if file.read(len(_PNG)) != _PNG:
-            return ""
-        while len(head := file.read(8)) == 8:
-            left, kind = int.from_bytes(head[:4]), head[4:]
-            checksum = zlib.crc32(kind)
-            while left and (piece := file.read(min(left, 1 << 20))):
-                left -= len(piece)
-                checksum = zlib.crc32(piece, checksum)
-            given = file.read(4)
-            if len(given) < 4:
-                break
-            # A chunk whose name starts with a small letter is not needed for the pixels.
-            if int.from_bytes(given) != checksum and kind[:1].isupper():
-                return f"the checksum of its chunk {kind.decode('latin-1')!r} is wrong"
-            if kind == b"IEND":
-                return ""
-        return "it is truncated"
 
 
 def _upright(pixels: NDArray[Any], orientation: int) -> NDArray[Any]:
@@ -164,29 +165,28 @@ def _upright(pixels: NDArray[Any], orientation: int) -> NDArray[Any]:
     return np.ascontiguousarray(pixels)
 
 
-def first_line(text: str) -> str:
-    """The first of the complaints an image library has gathered, on one line."""
-    return " ".join(text.strip().partition("\n")[0].split())
+def write_image(path: AnyPath, pixels: NDArray[Any], *, color: bool = True) -> None:
+    """Write pixels to an image file, or nothing at all.
 
-
-def write_image(path: AnyPath, pixels: NDArray[Any]) -> None:
-    """Write pixels to an image file without loss, or not at all.
-
-    The file appears under its name only when it is complete.
+    The file appears under its name only when it is complete. Nothing is lost but, in EXR, colors where alpha
+    is 0 and a last bit where it is below 1: there colors are multiplied by alpha, by the format's definition.
 
     Parameters
     ----------
     path : str or path-like
         ``.png`` takes uint8 and uint16, ``.tif`` all types, ``.exr`` float32.
     pixels : array, shape (height, width, channels), uint8, uint16 or float32
-        Pixels ``[y, x]`` with row 0 on top, 1 to 4 channels.
+        Pixels ``[y, x]`` with row 0 on top, 1 to 4 channels; the last of 2 or 4 is straight alpha.
+    color : bool, optional
+        The numbers are light, default True; False writes the channels of other maps as they are, also to EXR.
 
     Raises
     ------
     TilewrightTypeError
         Something else than an array or a path, or pixels of another type.
     TilewrightValueError
-        Another shape, or a suffix that does not go with the pixels' type.
+        Another shape, a suffix that does not go with the pixels' type, or more pixels along a side than the
+        format takes: 1,000,000 for PNG, 1,048,576 for EXR.
     TilewrightFileError
         The file cannot be written.
 
@@ -210,36 +210,71 @@ def write_image(path: AnyPath, pixels: NDArray[Any]) -> None:
             pixels.shape,
             f"(height, width, channels), none of them 0, with 1 to {_MOST_CHANNELS} channels",
         )
+    check_flag("color", color)
+    height, width, channels = pixels.shape
+    check_sides(path, width, height)
+    if is_associated(path, channels, color):
+        pixels = to_associated(pixels)
     import OpenImageIO as oiio
 
-    height, width, channels = pixels.shape
-    spec = oiio.ImageSpec(width, height, channels, kind)
-    spec.attribute("oiio:UnassociatedAlpha", 1)
+    spec = image_spec(path, width, height, channels, kind)
     spec.attribute("DateTime", NO_DATE)
+    with whole_file(path) as unfinished:
+        output = oiio.ImageOutput.create(str(unfinished))
+        written = (
+            output is not None
+            and output.open(str(unfinished), spec)
+            and output.write_image(np.ascontiguousarray(pixels))
+        )
+        written = output is not None and output.close() and written
+        # The library does not always report that a disk is full, so the file is read again.
+        if not (written and _holds(unfinished, pixels)):
+            raise unwritten_error(path)
+
+
+def image_spec(path: Path, width: int, height: int, channels: int, kind: str) -> Any:
+    """What OpenImageIO is to write to a file of this suffix."""
+    import OpenImageIO as oiio
+
+    spec = oiio.ImageSpec(width, height, channels, kind)
+    if channels == 2:
+        spec.channelnames = PICTURE_CHANNELS[2]
+        spec.alpha_channel = 1
+    spec.attribute("oiio:UnassociatedAlpha", 1)
     if path.suffix.lower() == ".png":
         spec.attribute("png:compressionLevel", 4)
     else:
         spec.attribute("compression", "zip")
-    with whole_file(path) as unfinished:
-        output = oiio.ImageOutput.create(str(unfinished))
-        if output is None:
-            raise TilewrightFileError(
-                f"{path} could not be written ({first_line(oiio.geterror())})", value=path
-            )
-        written = output.open(str(unfinished), spec) and output.write_image(np.ascontiguousarray(pixels))
-        reason = first_line(output.geterror())
-        written = output.close() and written
-        # The library does not always report that a disk is full, so the file is read again.
-        if not (written and _holds(unfinished, pixels)):
-            raise TilewrightFileError(
-                f"{path} could not be written ({reason or 'is the disk full?'})", value=path
-            )
+    return spec
+
+
+def is_associated(path: Path, channels: int, color: bool) -> bool:
+    """Whether a file of this suffix holds colors that are multiplied by alpha, as EXR does by definition."""
+    return color and path.suffix.lower() == ".exr" and has_alpha(channels)
+
+
+def check_sides(path: Path, width: int, height: int) -> None:
+    """Refuse a picture that is wider or higher than its format takes."""
+    suffix = path.suffix.lower()
+    most = _LARGEST_SIDES.get(suffix, _LARGEST_SIDE)
+    if max(width, height) > most:
+        raise TilewrightValueError(
+            f"{path} would be {width} x {height} pixels; {suffix} takes at most {most:,} on a side",
+            value=(width, height),
+            allowed=f"1 to {most}",
+            advice="write a .tif" if most < _LARGEST_SIDE else "write it in parts",
+        )
+
+
+def unwritten_error(path: Path) -> TilewrightFileError:
+    """The error of a file that came out incomplete, though its folder and size are good."""
+    return TilewrightFileError(f"{path} could not be written (is the disk full?)", value=path)
 
 
 def _holds(path: Path, pixels: NDArray[Any]) -> bool:
     """Whether a file just written can be read and holds these pixels."""
     try:
-        return np.array_equal(read_image(path), pixels, equal_nan=pixels.dtype.kind == "f")
+        return np.array_equal(read_image(path, color=False), pixels, equal_nan=pixels.dtype.kind == "f")
     except TilewrightFileError:
         return False
 
@@ -274,6 +309,11 @@ def check_writable(path: Path, kind: np.dtype[Any]) -> str:
     return names[kind]
 
 
-def lossless_suffix(kind: np.dtype[Any]) -> str:
-    """The suffix of the format in which tiles of this type are stored."""
-    return ".exr" if kind == np.float32 else ".png"
+def lossless_suffix(kind: np.dtype[Any], channels: int = 1) -> str:
+    """The suffix of the format in which tiles of this type are stored.
+
+    Floats with alpha are TIFF, as EXR would hold them multiplied.
+    """
+    if kind != np.float32:
+        return ".png"
+    return ".tif" if has_alpha(channels) else ".exr"

@@ -71,13 +71,16 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
 
     def image(name: str, pixels: NDArray[Any]) -> str:
         name, target = writer.free(name)
-        write_image(target, pixels)
+        write_image(target, pixels, color=False)
         return writer.seal(name)
+
+    def suffix(pixels: NDArray[Any]) -> str:
+        return lossless_suffix(pixels.dtype, pixels.shape[-1])
 
     stems = _stems(material.variants)
     maps = {
         name: [
-            image(f"{_safe(name)}/{stem}{lossless_suffix(pixels.dtype)}", picture)
+            image(f"{_safe(name)}/{stem}{suffix(pixels)}", picture)
             for stem, picture in zip(stems, pixels, strict=True)
         ]
         for name, pixels in material.maps.items()
@@ -87,7 +90,7 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
     ]
     sources = [
         {
-            name: image(f"exemplar/{s}-{_safe(name)}{lossless_suffix(pixels.dtype)}", pixels)
+            name: image(f"exemplar/{s}-{_safe(name)}{suffix(pixels)}", pixels)
             for name, pixels in source.items()
         }
         for s, source in enumerate(material.sources)
@@ -141,7 +144,7 @@ def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
     reader = Reader(folder, manifest.checksums)
 
     def image(name: str) -> NDArray[Any]:
-        return read_image(reader.path(name))
+        return read_image(reader.path(name), color=False)  # as it was written, by any version
 
     tiles = manifest.tiles.make()
     variants = restore_variants(manifest.variants, tiles)

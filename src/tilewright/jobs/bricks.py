@@ -198,7 +198,7 @@ class BricksJob(WritingJob):
         if self.mask is None:
             inside = np.ones((len(asked["vertical"]), asked["horizontal"].shape[-1]), np.uint8)
         else:
-            picture = read_image(self.mask)
+            picture = read_image(self.mask, color=False)
             inside = start_from_image(
                 picture, self.width or picture.shape[1], self.height or picture.shape[0]
             )

@@ -4,29 +4,22 @@ from collections.abc import Mapping
 from dataclasses import replace
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_type, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.files.atomic import AnyPath
 from tilewright.files.images import open_picture
-from tilewright.files.map_stack import find_maps, tell_green
+from tilewright.files.map_stack import tell_green
+from tilewright.jobs.photos import Photo, Picture, list_maps, open_maps
 from tilewright.pixels import white, without_alpha
 from tilewright.signals.textures import Exemplar, TextureTiles
-from tilewright.signals.textures.exemplar import check_kinds, check_map
+from tilewright.signals.textures.exemplar import check_kinds
 from tilewright.signals.textures.kinds import is_normal
 from tilewright.signals.textures.tone import take_more_tone
 from tilewright.tiles import TileSet, corner_tiles
-
-if TYPE_CHECKING:
-    import PIL.Image
-
-Picture = Union[AnyPath, NDArray[Any], "PIL.Image.Image"]
-"""A file, an array of shape (h, w) or (h, w, channels), or a Pillow image."""
-Photo = Picture | Mapping[str, Picture]
 
 
 def open_exemplar(
@@ -83,7 +76,8 @@ def open_exemplar(
     Warns
     -----
     TilewrightWarning
-        The direction of green in a map of normals was found and not given.
+        The direction of green in a map of normals was found and not given; a file states what is not heeded
+        or was converted, as in `read_image`; a picture has one value everywhere.
     """
     if second is None and second_mask is not None:
         raise TilewrightValueError(
@@ -188,7 +182,7 @@ class _Meaning:
     def known(self, photo: Photo, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
         """Kinds that need no guess: told by a file's name, by ``normal``, by ``kinds``."""
         normals = [name for name, kind in check_kinds(self.kinds, maps).items() if is_normal(kind)]
-        files = {n: Path(p) for n, p in _list_maps(photo, "photo").items() if isinstance(p, PathLike | str)}
+        files = {n: Path(p) for n, p in list_maps(photo, "photo").items() if isinstance(p, PathLike | str)}
         told = {name: green for name in normals if name in files and (green := tell_green(files[name]))}
         told |= {name: f"normal-{name[-2:]}" for name in normals if name.lower().endswith(("-dx", "-gl"))}
         if self.normal is not None:
@@ -220,7 +214,7 @@ def _prepare(
     prepared = []
     kinds: dict[str, str] = {}
     for number, photo in enumerate(photos):
-        maps = _open_maps(photo, ("photo", "second")[number])
+        maps = open_maps(photo, ("photo", "second")[number], meaning.kinds)
         maps, found = _prepare_one(photo, maps, meaning, sizes[number] if sizes else None, number)
         # The second photograph's normals are turned where they point the other way than the first's.
         for name, kind in found.items():
@@ -277,7 +271,8 @@ def texture_tiles(
     ----------
     photo : path, array of shape (h, w) or (h, w, channels), or dict of map name to either
         A single picture becomes the map ``"albedo"``; a folder gives the maps that its file names tell, see
-        `find_maps`. Arrays hold uint8, uint16 or float32.
+        `find_maps`. Arrays hold uint8, uint16 or float32; other types are turned into these as `Exemplar`
+        says, and other libraries' arrays are taken by ``__array__`` or ``__dlpack__``.
     tiles : TileSet, optional
         Corner, corner-coded or Wang tiles; by default those that suit the photograph, and with an older
         ``method`` the complete corner set over 2 colors, over 4 with two photographs.
@@ -348,28 +343,6 @@ def texture_tiles(
     return synthesize(exemplar, tiles, tile_size=tile_size, seed=seed, **options)
 
 
-def _list_maps(photo: Photo, what: str) -> Mapping[str, Picture]:
-    if isinstance(photo, Mapping):
-        if not photo:
-            raise TilewrightValueError("is an empty dict; at least one map is needed", argument=what)
-        return photo
-    if isinstance(photo, PathLike | str) and Path(photo).is_dir():
-        return find_maps(photo)
-    return {"albedo": photo}
-
-
-def _open_maps(photo: Photo, what: str) -> dict[str, NDArray[Any]]:
-    maps = _list_maps(photo, what)
-    alone = not isinstance(photo, Mapping)
-    return {n: _open_map(picture, what if alone else f"map {n!r}") for n, picture in maps.items()}
-
-
-def _open_map(picture: Picture, what: str) -> NDArray[Any]:
-    """A map, checked at once, so that what is wrong with a file is said with its name."""
-    name = str(picture) if isinstance(picture, PathLike | str) else what
-    return check_map(name, open_picture(what, picture))
-
-
 def _fit_mask(mask: NDArray[np.bool_] | None, maps: Mapping[str, NDArray[Any]]) -> NDArray[np.bool_] | None:
     """A mask at the size of the maps, where it was made for smaller ones."""
     height, width = next(iter(maps.values())).shape[:2]
@@ -384,7 +357,7 @@ def _fit_mask(mask: NDArray[np.bool_] | None, maps: Mapping[str, NDArray[Any]]) 
 def _open_mask(mask: Picture | None) -> NDArray[np.bool_] | None:
     if mask is None:
         return None
-    pixels = open_picture("mask", mask)
+    pixels = open_picture("mask", mask, color=False)
     if pixels.dtype == bool:
         return pixels
     if pixels.dtype.kind not in "uf" or not np.isfinite(pixels).all():

@@ -86,7 +86,7 @@ class RenderJob(WritingJob):
 
         if self.density is not None:
             return density_tiling(
-                material.tiles, read_image(self.density), self.lattice_seed,
+                material.tiles, read_image(self.density, color=False), self.lattice_seed,
                 cells_per_pixel=self.cells_per_pixel,
             )  # fmt: skip
         ends = (self.x + self.width, self.y + self.height)

@@ -289,7 +289,7 @@ def _picture(path: AnyPath | None, width: float, height: float) -> Iterator[str]
     kind = next((k for start, k in _SIGNATURES.items() if content.startswith(start)), None)
     if kind is None:
         raise TilewrightFileError(f"{given} is no PNG or JPEG file; expected one of these", value=given)
-    read_image(given)  # refuses one that is damaged
+    read_image(given, color=False)  # refuses one that is damaged; a browser heeds its profile
     yield element(
         "image",
         href=f"data:image/{kind};base64,{base64.b64encode(content).decode()}",

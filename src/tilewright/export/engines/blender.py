@@ -8,7 +8,7 @@ import numpy as np
 from tilewright.export.engines.folder import file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
-from tilewright.files.images import lossless_suffix, write_image
+from tilewright.files.images import write_image
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -53,8 +53,8 @@ def write_pictures(folder: Path, kit: Kit) -> dict[str, str]:
     files = {}
     for map, name in file_names(kit.material, "").items():
         picture = kit.picture(map)
-        files[map] = name + lossless_suffix(picture.dtype)
-        write_image(folder / files[map], picture)
+        files[map] = name + (".exr" if picture.dtype == np.float32 else ".png")
+        write_image(folder / files[map], picture, color=kit.material.kinds[map] == "color")
     for map, name in tone_names(kit, files, ".exr").items():
         write_image(folder / name, kit.tone(map)[0][0, ..., :3].astype(np.float32))
     return files

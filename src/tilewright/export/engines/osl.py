@@ -6,11 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightFileError
 from tilewright.export.engines.folder import FACTS, file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
-from tilewright.files.images import NO_DATE
+from tilewright.files.images import NO_DATE, unwritten_error
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -45,7 +44,7 @@ def write_tx(path: Path, levels: list[NDArray[Any]], wrap: str = "periodic") -> 
 
     output = oiio.ImageOutput.create("tiff")
     if output is None:
-        raise TilewrightFileError(f"{path} could not be written ({oiio.geterror().strip()})", value=path)
+        raise unwritten_error(path)
     for number, level in enumerate(levels):
         rows, columns, channels = level.shape
         spec = oiio.ImageSpec(columns, rows, channels, "uint8" if level.dtype == np.uint8 else "float")
@@ -57,8 +56,6 @@ def write_tx(path: Path, levels: list[NDArray[Any]], wrap: str = "periodic") -> 
         mode = "AppendSubimage" if number else "Create"
         pixels = np.ascontiguousarray(level, None if level.dtype == np.uint8 else np.float32)
         if not (output.open(str(path), spec, mode) and output.write_image(pixels)):
-            raise TilewrightFileError(
-                f"{path} could not be written ({output.geterror().strip()})", value=path
-            )
+            raise unwritten_error(path)
     if not output.close():
-        raise TilewrightFileError(f"{path} could not be written ({output.geterror().strip()})", value=path)
+        raise unwritten_error(path)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tilewright.fields.photos.gaussian import gaussianize
 from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
 from tilewright.files.images import open_picture
-from tilewright.pixels import LUMA
+from tilewright.pixels import LUMA, is_pillow
 from tilewright.signals.textures.exemplar import check_map
 from tilewright.signals.textures.kinds import from_values, to_values
 from tilewright.tilings import Domain, MixerHash
@@ -48,7 +48,8 @@ class PhotoField(PixelField):
     reach = (_REACH, _REACH)
 
     def __init__(self, photo: Any, kind: str = "color") -> None:
-        opened = open_picture("photo", photo) if isinstance(photo, str | PathLike) else photo
+        brought = isinstance(photo, str | PathLike) or is_pillow(photo)
+        opened = open_picture("photo", photo, color=kind == "color") if brought else photo
         self.photo = check_map("photo", opened)
         self.kind = kind
 

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_real, shape_error, type_error
+from tilewright.checks import as_array, check_choice, check_real, shape_error, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.pixels import as_pixels
+from tilewright.pixels import as_pixels, as_texels
 from tilewright.showing import describe
 from tilewright.signals.textures.kinds import KINDS, guess_kind, is_normal
 
@@ -32,6 +32,8 @@ class Exemplar:
     ----------
     sources : sequence of dict of str to array, shape (h, w, channels) or (h, w)
         The maps of each source: uint8, uint16 or float32, 1 to 4 channels, 32 to 32,768 pixels on each side.
+        Other floats become float32, bool becomes uint8 (0 or 255), and other integers become uint8 where all
+        lie from 0 to 255, else uint16 up to 65,535.
         All maps of a source have one size; all sources have the same maps, with the same type and channels.
     masks : sequence of bool array, shape (h, w), or None, optional
         For each source, the pixels that may be copied; by default all of them.
@@ -165,17 +167,7 @@ def _check_source(number: int, source: Maps) -> Maps:
 
 def check_map(what: str, given: Any) -> NDArray[Any]:
     """Pixels a texture can be made from, shape (h, w, channels); ``what`` they are, for messages."""
-    pixels = np.asarray(as_pixels(what, given))
-    if pixels.dtype == np.float64 or pixels.dtype == np.float16:
-        with np.errstate(over="ignore"):  # what does not fit is refused below
-            pixels = pixels.astype(np.float32)
-    if pixels.dtype not in (np.uint8, np.uint16, np.float32):
-        raise TilewrightTypeError(
-            f"has type {pixels.dtype}; allowed are uint8, uint16, float32",
-            argument=what,
-            value=pixels.dtype,
-            allowed="uint8, uint16, float32",
-        )
+    pixels = as_texels(what, as_array(what, as_pixels(what, given)))
     if pixels.ndim == 2:
         pixels = pixels[..., np.newaxis]
     if pixels.ndim != 3 or not 1 <= pixels.shape[2] <= 4:
