@@ -146,3 +146,11 @@ def test_the_command_tells_the_maps(case, tmp_path, capsys):
     call("texture", case("folders/map_suffix"), "-o", tmp_path / "out", "--tile-size", 16,
          "--tiles", "corner", "--normal", "gl", "--json")  # fmt: skip
     assert json.loads(capsys.readouterr().out)["maps"] == ["albedo", "normal", "roughness", "ao"]
+
+
+@pytest.mark.parametrize("target", ["godot", "unity", "unreal", "blender", "threejs"])
+def test_exports_of_a_fence_show_its_holes(case, tmp_path, target):
+    material = tw.texture_tiles(case("transparent/fence.png"), tw.corner_tiles(2), tile_size=32)
+    assert 0.3 < (material.pixels[..., 3] == 0).mean() < 0.6
+    tw.save_for_engine(material, tmp_path / "out", target)
+    assert "is below 0.5, which the material shows" in (tmp_path / "out" / "README.md").read_text()
