@@ -117,8 +117,8 @@ def _prepare_one(
     )
 
     opened = _open_maps(listed, ("photo", "second")[number], isinstance(photo, Mapping))
+    check_new_names(opened, meaning.beside)
     maps = unpack_maps(opened, meaning.named)
-    check_new_names(maps, meaning.beside)
     known = meaning.known(listed, maps)
     kinds = check_kinds(known, maps)
     normals = [name for name, kind in kinds.items() if is_normal(kind)]
