@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from browsing import CHROMIUM, FLAGS, on_one_core
 
-PHOTOGRAPHS = Path(__file__).parents[2] / "shared" / "data" / "textures"
+SHARED = Path(__file__).parents[2] / "shared"
+PHOTOGRAPHS = SHARED / "data" / "textures"
 
 
 @pytest.fixture(scope="session")
@@ -58,6 +59,19 @@ def photograph():
         return pixels if pixels.ndim == 3 else pixels[..., np.newaxis]
 
     return load
+
+
+@pytest.fixture(scope="session")
+def case():
+    """Find a file or folder as people bring them, in the folder beside the checkout, or skip the test."""
+
+    def find(name: str) -> Path:
+        path = SHARED / "cases" / name
+        if not path.exists():
+            pytest.skip(f"{name} is not at hand")
+        return path
+
+    return find
 
 
 @pytest.fixture(scope="session")

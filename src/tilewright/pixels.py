@@ -51,6 +51,27 @@ def as_rgba(pixels: NDArray[Any], kind: np.dtype[Any] | None = None) -> NDArray[
     return out
 
 
+def on_paper(pixels: NDArray[Any]) -> NDArray[Any]:
+    """Gray or color as a drawing shows it: where nothing is drawn, there is white paper.
+
+    Where all that is drawn has one color, its shape lies in alpha, and paper shines through as far as alpha
+    is less than full; under a light drawing it is black. Others keep their color wherever they have any.
+
+    Parameters
+    ----------
+    pixels : float array, shape (..., channels)
+        From 0 to 1; alpha is straight.
+    """
+    colors = without_alpha(pixels)
+    if not has_alpha(pixels.shape[-1]):
+        return colors
+    alpha = pixels[..., -1:]
+    drawn = colors[alpha[..., 0] > 0]
+    if drawn.size and np.ptp(drawn, axis=0).max() == 0:
+        return colors * alpha + (1 - alpha) * float(drawn[0].mean() <= 0.5)
+    return np.where(alpha > 0, colors, 1.0)
+
+
 def mean_gray(pixels: NDArray[Any]) -> NDArray[np.float64]:
     """The mean of the colors, in the numbers of the pixels, shape (...)."""
     return np.asarray(without_alpha(pixels).mean(axis=-1, dtype=np.float64))
@@ -241,19 +262,24 @@ class MapWords(NamedTuple):
 MAP_WORDS = {
     "albedo": MapWords(
         "color",
-        ("color", "col", "diff", "diffuse", "albedo", "basecolor", "base_color"),
+        (
+            *("color", "colour", "col", "diff", "dif", "diffuse", "albedo", "alb", "basecolor", "base_color"),
+            *("basecolour", "base_colour", "basemap", "albedotransparency"),
+        ),
         ("albedo", "color", "colour", "col", "diffuse", "diff", "basecolor"),
     ),
     "normal": MapWords(
         "normal-gl",
         (
-            *("normal", "nor", "nrm", "norm", "normalgl", "normal_gl", "nor_gl"),
+            *("normal", "normals", "nor", "nrm", "norm", "normalgl", "normal_gl", "nor_gl", "nrm_gl"),
             *("normal_opengl", "normalogl", "normal_ogl"),
         ),
         ("normal", "normals", "normalgl", "normalogl", "nor", "nrm", "norm", "ogl"),
     ),
-    "normal-dx": MapWords("normal-dx", ("normal_dx", "nor_dx", "normaldx", "normal_directx"), ("normaldx",)),
-    "roughness": MapWords("roughness", ("roughness", "rough"), ("roughness", "rough", "rgh")),
+    "normal-dx": MapWords(
+        "normal-dx", ("normal_dx", "nor_dx", "nrm_dx", "normaldx", "normal_directx"), ("normaldx",)
+    ),
+    "roughness": MapWords("roughness", ("roughness", "rough", "rgh"), ("roughness", "rough", "rgh")),
     "glossiness": MapWords(
         "data", ("glossiness", "gloss", "smoothness"), ("gloss", "glossiness", "smoothness")
     ),
@@ -275,7 +301,16 @@ MAP_WORDS = {
     ),
     "cavity": MapWords("data", ("cavity",), ("cavity",)),
     "arm": MapWords("data", ("arm",), ("arm",)),
-    "orm": MapWords("data", ("orm", "occlusionroughnessmetallic"), ("orm", "rma", "mra")),
+    "orm": MapWords("data", ("orm", "occlusionroughnessmetallic"), ("orm",)),
+    "rma": MapWords("data", ("rma",), ("rma",)),
+    "mra": MapWords("data", ("mra",), ("mra",)),
+    "metalroughness": MapWords(
+        "data",
+        ("metalroughness", "metallicroughness", "metalnessroughness"),
+        ("metalroughness", "metallicroughness", "metalnessroughness"),
+    ),
+    "maskmap": MapWords("data", ("maskmap", "mask_map"), ("maskmap",)),
+    "metallicsmoothness": MapWords("data", ("metallicsmoothness",), ("metallicsmoothness",)),
     "opacity": MapWords(
         "data", ("opacity", "alpha", "mask"), ("mask", "opacity", "alpha"), "opacity|alpha|mask"
     ),
@@ -287,3 +322,43 @@ MAP_WORDS = {
     "others": MapWords("data", (), ("thickness", "index", "curvature")),
 }
 """Maps of a material in the order in which a stack of them is listed."""
+
+
+class Part(NamedTuple):
+    """One of the maps that share a picture.
+
+    Attributes
+    ----------
+    map : str
+        Which map it is.
+    channel : str
+        Where it lies: ``"r"``, ``"g"``, ``"b"`` or ``"a"``.
+    inverted : bool
+        Whether it is white less what is stored: smoothness is 1 less roughness.
+    """
+
+    map: str
+    channel: str
+    inverted: bool = False
+
+
+PACKED_MAPS = {
+    "glossiness": (Part("roughness", "r", True),),
+    "arm": (Part("ao", "r"), Part("roughness", "g"), Part("metalness", "b")),
+    "orm": (Part("ao", "r"), Part("roughness", "g"), Part("metalness", "b")),
+    "rma": (Part("roughness", "r"), Part("metalness", "g"), Part("ao", "b")),
+    "mra": (Part("metalness", "r"), Part("roughness", "g"), Part("ao", "b")),
+    "metalroughness": (Part("roughness", "g"), Part("metalness", "b")),
+    "maskmap": (Part("metalness", "r"), Part("ao", "g"), Part("roughness", "a", True)),
+    "metallicsmoothness": (Part("metalness", "r"), Part("roughness", "a", True)),
+}
+"""Maps that hold others, channel by channel.
+
+glTF 2.0, section 3.9.2, for roughness in green and metal in blue; the names of Unreal for the orders; Unity's
+manual, "Mask and detail maps" of HDRP and "Metallic mode" of the Standard Shader, for smoothness in alpha.
+"""
+
+
+def packed_parts(name: str) -> tuple[Part, ...]:
+    """What a map of this name holds in its channels; nothing where it is one map: ``ORM``, ``Mask_Map``."""
+    return PACKED_MAPS.get(re.sub("[^a-z]", "", name.lower()), ())

@@ -438,3 +438,74 @@ def test_names_of_maps_become_names_of_files(material, tmp_path):
     save_for_engine(odd, tmp_path / "out", "wgsl")
     facts = json.loads((tmp_path / "out" / "tilewright.json").read_text())
     assert [m["file"] for m in facts["maps"].values()] == ["a_b.ktx2", "a_b_.ktx2", "t.ktx2"]
+
+
+@pytest.fixture(scope="module")
+def fence():
+    """Tiles whose color has holes."""
+    made = handmade(tw.corner_tiles(2), 16, channels=4)
+    return dataclasses.replace(made, kinds={"map0": "color"})
+
+
+HOLES = {
+    "godot": ("tilewright.gdshader", "ALPHA_SCISSOR_THRESHOLD = 0.5"),
+    "unity": ("Tilewright.shader", "clip(surface.alpha - 0.5)"),
+    "unreal": ("make_material.py", "MP_OPACITY_MASK"),
+    "blender": ("material.py", 'outputs["Alpha"], surface.inputs["Alpha"]'),
+    "threejs": ("tilewright.js", "material.alphaTest ||= 0.5"),
+}
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_holes_are_shown_or_said_not_to_be(target, fence, tmp_path):
+    save_for_engine(fence, tmp_path / "holes", target)
+    opaque = fence.maps["map0"].copy()
+    opaque[..., 3] = 255
+    save_for_engine(dataclasses.replace(fence, maps={"map0": opaque}), tmp_path / "whole", target)
+    said, unsaid = ((tmp_path / name / "README.md").read_text() for name in ("holes", "whole"))
+    assert "is below 0.5, which " in said
+    assert "below 0.5" not in unsaid
+    assert ("which the material shows" in said) == (target in HOLES)
+    if target in HOLES:
+        file, text = HOLES[target]
+        assert text in (tmp_path / "holes" / file).read_text()
+        assert text not in (tmp_path / "whole" / file).read_text()
+
+
+def test_the_surface_shader_of_unity_cuts_holes(fence, tmp_path):
+    save_for_engine(fence, tmp_path / "unity", "unity")
+    include = (tmp_path / "unity" / "Tilewright.hlsl").read_text()
+    shader = (tmp_path / "unity" / "Tilewright.shader").read_text()
+    body = re.search(r"HLSLPROGRAM(.*?)ENDHLSL", shader, re.DOTALL)[1]
+    body = re.sub(r"#(include|pragma).*", "", body)
+    dialects.compile_spirv(_URP + include + body, ".hlsl", tmp_path, "frag", "Fragment")
+    assert '"Queue" = "AlphaTest"' in shader
+    assert "Lit/DepthOnly" not in shader
+
+
+def test_the_script_for_unreal_masks_holes(fence, tmp_path, monkeypatch):
+    save_for_engine(fence, tmp_path / "unreal", "unreal")
+    _, _, ends = run_in_unreal(tmp_path / "unreal", monkeypatch)
+    assert {name: output for name, (_, output) in ends.items()} == {
+        "MP_BASE_COLOR": "RGB",
+        "MP_OPACITY_MASK": "A",
+    }
+
+
+def test_a_map_of_opacity_goes_before_alpha(fence):
+    both = dataclasses.replace(
+        fence,
+        maps=fence.maps | {"opacity": fence.maps["map0"][..., :1]},
+        sources=tuple(s | {"opacity": s["map0"][..., :1]} for s in fence.sources),
+        kinds=fence.kinds | {"opacity": "data"},
+    )
+    assert prepare(fence, 0).cut_out
+    assert not prepare(both, 0).cut_out
+
+
+def test_packed_maps_that_were_kept_fill_no_slot(fence):
+    names = ("metalRoughness", "MaskMap", "orm")
+    maps = fence.maps | dict.fromkeys(names, fence.maps["map0"])
+    sources = tuple(s | dict.fromkeys(names, s["map0"]) for s in fence.sources)
+    packed = dataclasses.replace(fence, maps=maps, sources=sources, kinds={"map0": "color"})
+    assert prepare(packed, 0).slots == {"color": "map0"}

@@ -120,13 +120,14 @@ def test_broken_images_get_one_clear_line(tmp_path):
         ("a.png", np.float32, "use .tif or .exr"),
         ("a.exr", np.uint8, "use .png or .tif"),
         ("a.png", np.float64, "type float64"),
-        ("none/a.png", np.uint8, "does not exist"),
+        ("file/a.png", np.uint8, "file is not a folder"),
     ],
 )
 def test_images_that_cannot_be_written(tmp_path, name, kind, message):
+    (tmp_path / "file").write_text("")
     with pytest.raises(TilewrightError, match=message):
         tw.write_image(tmp_path / name, np.zeros((4, 4, 1), kind))
-    assert not any(tmp_path.iterdir())
+    assert [p.name for p in tmp_path.iterdir()] == ["file"]
 
 
 FULL = """

@@ -22,7 +22,10 @@ from tilewright.cli.performing import perform
 def command(
     photo: Annotated[
         Path | None,
-        argument(help="The photograph, or a folder of a material's maps; or give --map, --from or --like."),
+        argument(
+            help="The photograph, or a folder of a material's maps (FOLDER/NAME where it holds several); or "
+            "give --map, --from or --like."
+        ),
     ] = None,
     output: Annotated[
         Path | None,
@@ -95,7 +98,10 @@ def command(
     ] = None,
     second: Annotated[
         Path | None,
-        option(help="Second photograph, shown by the upper half of the corner colors; default none."),
+        option(
+            help="Second photograph, shown by the upper half of the corner colors; default none. Over 4 "
+            "colors, the default, there are 256 tiles, which take minutes; --colors 2 makes 16."
+        ),
     ] = None,
     variants: Annotated[
         int, option(help="Number of pictures of every tile, 1 to 256; default 1. More show less repetition.")

@@ -45,8 +45,6 @@ def _explained(path: Path) -> Iterator[None]:
     except TilewrightFileError:
         raise
     except OSError as error:
-        if error.errno is None:  # not the system's word about a file: a library that cannot be loaded
-            raise
         reason = (error.strerror or str(error)).lower()
         raise TilewrightFileError(f"{path} could not be written: {reason}", value=path) from None
     except ValueError as error:

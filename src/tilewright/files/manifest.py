@@ -144,13 +144,15 @@ class Writer:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.checksums: dict[str, str] = {}
+        self._taken: set[str] = set()
 
     def free(self, name: str) -> tuple[str, Path]:
-        """A name like this that no file has yet, and where the file goes."""
+        """A name like this that no file has yet, on any system, and where the file goes."""
         path = PurePosixPath(name)
-        while name in self.checksums:
+        while name.casefold() in self._taken:
             path = path.with_stem(path.stem + "_")
             name = str(path)
+        self._taken.add(name.casefold())
         target = self.folder / name
         target.parent.mkdir(exist_ok=True)
         return name, target

@@ -25,6 +25,7 @@ from tilewright.files.manifest import (
 )
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import KINDS
+from tilewright.signals.textures.naming import check_map_names
 from tilewright.signals.textures.tone import Tone
 from tilewright.tiles.variants import Variants
 
@@ -146,6 +147,7 @@ def read_texture(folder: Path, manifest: TextureManifest) -> TextureTiles:
     def image(name: str) -> NDArray[Any]:
         return read_image(reader.path(name), color=False)  # as it was written, by any version
 
+    check_map_names(manifest.maps)
     tiles = manifest.tiles.make()
     variants = restore_variants(manifest.variants, tiles)
     size, count = manifest.tile_size, len(variants)

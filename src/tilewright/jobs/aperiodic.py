@@ -1,15 +1,18 @@
 """The job of the command ``aperiodic``: tilings that never repeat, and the sets that force them."""
 
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from tilewright.errors import Progress
+from tilewright.errors import Progress, TilewrightWarning
 from tilewright.jobs.job import Done, Rule, WritingJob
 from tilewright.jobs.outputs import check_suffix, save_by_suffix
 from tilewright.kernels.compiling import Clock
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from tilewright.tiles import TileSet
     from tilewright.tilings import Tiling
 
@@ -187,7 +190,27 @@ def _own_set(path: Path, shape: str) -> "tuple[TileSet, dict[str, Any]]":
     from tilewright.tiles import tile_set
 
     slots = read_table(path, "a table of whole numbers, a row of colors with commas for every tile")
-    return tile_set(slots, shape, name=path.stem), {"name": str(path)}
+    return tile_set(_small_colors(slots), shape, name=path.stem), {"name": str(path)}
+
+
+def _small_colors(slots: "NDArray[Any]") -> "NDArray[Any]":
+    """Colors numbered from 0 in their order, where those of a file are larger than those of tile sets.
+
+    Only which of them are equal matters, and some papers give colors long names.
+    """
+    import numpy as np
+
+    from tilewright.tiles.tileset import MOST_COLORS
+
+    if not slots.size or slots.dtype.kind not in "iu" or 0 <= slots.min() <= slots.max() < MOST_COLORS:
+        return slots
+    names, numbers = np.unique(slots, return_inverse=True)
+    warnings.warn(
+        f"colors {names[0]} to {names[-1]} are called 0 to {len(names) - 1}, in their order",
+        TilewrightWarning,
+        stacklevel=4,
+    )
+    return numbers.reshape(slots.shape)
 
 
 def _translate(tiles: "TileSet", to: str | None) -> "TileSet":

@@ -22,6 +22,12 @@ _OLD = "{from_}, which makes an old set again with its photograph and settings"
 _CUT = "{like}, which cuts as the old set was cut"
 
 
+def _holds_maps(photo: Path) -> bool:
+    from tilewright.files.map_stack import holds_maps
+
+    return holds_maps(photo)
+
+
 @dataclass(frozen=True, kw_only=True)
 class TextureJob(WritingJob):
     """Make texture tiles from a photograph and save them; or make an old set again, or add maps to one.
@@ -34,7 +40,7 @@ class TextureJob(WritingJob):
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     photo : Path, optional
-        A photograph, or a folder of a material's maps.
+        A photograph, a folder of a material's maps, or how the files of one of several materials begin.
     tiles : str, optional
         ``"corner"``, ``"wang"``, ``"cohen-8"``, ``"cohen-12"``, ``"cohen-18"`` or ``"corner-coded"``; default
         what suits the photograph, or ``"corner"`` with an older method.
@@ -129,7 +135,7 @@ class TextureJob(WritingJob):
             "{photo} is missing; give a photograph, a folder of maps, or maps by name with {map}",
         ),
         Rule(
-            lambda job: job.photo and "albedo" in (job.map or ()) and not Path(job.photo).is_dir(),
+            lambda job: job.photo and "albedo" in (job.map or ()) and not _holds_maps(job.photo),
             "albedo is given twice, as {photo} and by {map}; leave one out",
         ),
     )
@@ -270,14 +276,15 @@ class TextureJob(WritingJob):
 
     def _pictures(self) -> Any:
         """The photograph, its maps by name, or both."""
-        from tilewright.files import find_maps
+        from tilewright.files.map_stack import check_color
+        from tilewright.jobs.sources import list_maps
 
         maps = dict(self.map or {})
         if self.photo is None or not maps:
             return maps or self.photo
-        if self.photo.is_dir():
-            return {name: str(file) for name, file in find_maps(self.photo).items()} | maps
-        return {"albedo": str(self.photo)} | maps
+        found = {name: str(file) for name, file in list_maps(self.photo, "photo", whole=False).items()} | maps
+        check_color(self.photo, found)
+        return found
 
     def _tile_set(self) -> "TileSet | None":
         """What was asked for; None where the photograph decides."""

@@ -5,18 +5,17 @@ the four cuts that meet there are wound about it. Tabs point south and east, so 
 mirrored fits nowhere.
 """
 
-import base64
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_real, check_type
-from tilewright.errors import TilewrightFileError, TilewrightValueError
+from tilewright.errors import TilewrightValueError
+from tilewright.export.drawing.prints import print_of
 from tilewright.export.drawing.svg import document, element, path_of, text
 from tilewright.export.drawing.tiles import color_of
-from tilewright.files.atomic import AnyPath, as_path
-from tilewright.files.images import read_image
+from tilewright.files.atomic import AnyPath
 from tilewright.showing import describe
 from tilewright.tiles import CORNER, WANG
 from tilewright.tilings import Tiling
@@ -37,7 +36,6 @@ _BLEED = 0.05
 """How far the picture goes on around the frame."""
 _THIN = 0.1
 """Millimeters: just wide enough to be seen on a screen."""
-_SIGNATURES = {b"\x89PNG\r\n\x1a\n": "png", b"\xff\xd8\xff": "jpeg"}
 
 
 class Jigsaw:
@@ -187,7 +185,7 @@ def draw_jigsaw(
     piece : float, optional
         Size of a piece without its tabs, 5 to 500 mm; default 30.
     picture : path, optional
-        A PNG or JPEG file, put into the drawing and cropped to the sheet; by default none.
+        A PNG or JPEG file, put into the drawing upright and cropped to the sheet; by default none.
     engrave : str, optional
         ``"none"``, the default; ``"colors"``: the colors, at edges or corners; ``"numbers"``: the index of
         each piece's tile.
@@ -222,7 +220,7 @@ def draw_jigsaw(
     marks = {"none": lambda _: iter(()), "colors": _color_marks, "numbers": _number_marks}[engrave](puzzle)
     width, height = puzzle.sheet
     layers = [
-        element("g", *_picture(picture, width, height), id="picture"),
+        element("g", *print_of(picture, width, height), id="picture"),
         element("g", *marks, id="engrave"),
         element("g", *_cuts(puzzle), id="cut", fill="none", stroke="#ff0000", stroke_width=_THIN),
     ]
@@ -273,30 +271,6 @@ def _number_marks(puzzle: Jigsaw) -> Iterator[str]:
             text_anchor="middle",
             font_family="sans-serif",
         )
-
-
-def _picture(path: AnyPath | None, width: float, height: float) -> Iterator[str]:
-    """The file's bytes as an image that fills the sheet."""
-    if path is None:
-        return
-    given = as_path(path)
-    try:
-        content = given.read_bytes()
-    except OSError as error:
-        raise TilewrightFileError(
-            f"{given} cannot be read: {(error.strerror or '').lower()}", value=given
-        ) from None
-    kind = next((k for start, k in _SIGNATURES.items() if content.startswith(start)), None)
-    if kind is None:
-        raise TilewrightFileError(f"{given} is no PNG or JPEG file; expected one of these", value=given)
-    read_image(given, color=False)  # refuses one that is damaged; a browser heeds its profile
-    yield element(
-        "image",
-        href=f"data:image/{kind};base64,{base64.b64encode(content).decode()}",
-        width=width,
-        height=height,
-        preserveAspectRatio="xMidYMid slice",
-    )
 
 
 def _check_tiling(tiling: Tiling) -> tuple[int, int]:

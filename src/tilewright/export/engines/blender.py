@@ -29,6 +29,7 @@ def write(folder: Path, kit: Kit) -> None:
         tones=json.dumps({slot: tones[map] for slot, map in kit.toned_slots.items()}),
         means=json.dumps({slot: kit.tone_mean(map) for slot, map in kit.toned_slots.items()}),
         toned=bool(tones),
+        cut_out=kit.cut_out,
     )
     (folder / "material.py").write_text(script, encoding="utf-8")
     finish(
@@ -45,6 +46,7 @@ def write(folder: Path, kit: Kit) -> None:
         ],
         files,
         mipmaps=False,
+        cuts=True,
     )
 
 

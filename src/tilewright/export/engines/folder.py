@@ -39,6 +39,7 @@ def finish(
     files: dict[str, str],
     *,
     mipmaps: bool = True,
+    cuts: bool = False,
 ) -> None:
     """Write the README and the list of what the folder holds.
 
@@ -54,9 +55,11 @@ def finish(
         File of each map.
     mipmaps : bool
         Whether the files hold mip levels.
+    cuts : bool
+        Whether the target's material shows the holes that alpha of the map of color tells.
     """
     tones = tone_names(kit, files, None if mipmaps else ".exr")
-    text = _readme(kit, name, checked, [*steps, *_describe_tone(kit, tones)], files, mipmaps)
+    text = _readme(kit, name, checked, [*steps, *_describe_tone(kit, tones)], files, mipmaps, cuts)
     (folder / "README.md").write_text(text, encoding="utf-8")
     _write_facts(kit, folder, files, tones)
 
@@ -113,7 +116,13 @@ def memory(kit: Kit) -> dict[str, dict[str, int]]:
 
 
 def _readme(
-    kit: Kit, name: str, checked: str, steps: Sequence[str], files: dict[str, str], mipmaps: bool
+    kit: Kit,
+    name: str,
+    checked: str,
+    steps: Sequence[str],
+    files: dict[str, str],
+    mipmaps: bool,
+    cuts: bool,
 ) -> str:
     material, table = kit.material, memory(kit)
     size = material.tile_size
@@ -135,7 +144,8 @@ def _readme(
         f"Checked: {checked}.",
         *steps,
         f"Maps: {maps}; green of normals points {'up (OpenGL)' if kit.green == 'gl' else 'down (DirectX)'}"
-        f"{'; 16-bit and float maps are half floats' if mipmaps and deep else ''}.",
+        f"{'; 16-bit and float maps are half floats' if mipmaps and deep else ''}."
+        + _describe_holes(kit, files, cuts),
         f"Scale: positions are in tiles, x east and y south. A tile is {size} of the photograph's "
         f"{photograph} pixels: where that is M meters wide, divide meters by {size / photograph:.4g} M.",
         (_WITH_LEVELS if mipmaps else _WITHOUT_LEVELS) + ("" if even else _ODD_SIZE),
@@ -145,6 +155,14 @@ def _readme(
         "Another seed: export again. Another part of the plane, for another object: move the origin cell.",
     ]
     return "\n".join(f"{n}. {line}" if n else f"# {line}\n" for n, line in enumerate(lines)) + "\n"
+
+
+def _describe_holes(kit: Kit, files: dict[str, str], cuts: bool) -> str:
+    """What becomes of alpha of the map of color, where it tells holes."""
+    if not kit.cut_out:
+        return ""
+    how = "which the material shows" if cuts else "which nothing here cuts: discard such pixels yourself"
+    return f" There are holes where alpha of {files[kit.slots['color']]} is below 0.5, {how}."
 
 
 def _describe_tone(kit: Kit, tones: dict[str, str]) -> list[str]:

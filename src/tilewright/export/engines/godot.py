@@ -62,6 +62,7 @@ def write(folder: Path, kit: Kit) -> None:
             "wired.",
         ],
         files,
+        cuts=True,
     )
 
 

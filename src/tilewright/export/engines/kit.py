@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
-from tilewright.pixels import MAP_WORDS, as_rgba, without_alpha
+from tilewright.pixels import MAP_WORDS, as_rgba, has_alpha, packed_parts, white, without_alpha
 from tilewright.shaders.layouts import even_variants, packed_rows
 from tilewright.shaders.lookup import ARRAY_TILES, MOST_COLORS, ToneGrid, lookup, numbers, reals
 from tilewright.shaders.mipmaps import (
@@ -89,6 +89,15 @@ class Kit:
     def slots(self) -> dict[str, str]:
         """The map for each slot of a surface: color, normal, roughness, metallic, occlusion, ..."""
         return find_slots(self.material)
+
+    @property
+    def cut_out(self) -> bool:
+        """Whether alpha of the map of color tells holes, and no map of opacity does."""
+        map = self.slots.get("color")
+        if map is None or "opacity" in self.slots:
+            return False
+        pixels = self.material.maps[map]
+        return has_alpha(pixels.shape[-1]) and bool((pixels[..., -1] < white(pixels.dtype)).any())
 
     @property
     def tone_grid(self) -> ToneGrid | None:
@@ -172,7 +181,7 @@ class Kit:
         slots = {f"has_{name}": name in self.slots for name in ("color", "normal", "roughness", *_SLOTS)}
         size, gutter = self.material.tile_size, self.gutter
         how = (self.variants, self.classes, self.tone_grid, self.columns)
-        return numbers(self.colors, self.seed, size, gutter, *how) | slots
+        return numbers(self.colors, self.seed, size, gutter, *how) | slots | {"cut_out": self.cut_out}
 
 
 def prepare(material: TextureTiles, seed: int, *, atlas: bool = False, green: str = "gl") -> Kit:
@@ -205,6 +214,8 @@ def find_slots(material: TextureTiles) -> dict[str, str]:
     """The map for each slot of a surface, by kind and name; the first where several would do."""
     found: dict[str, str] = {}
     for name, kind in material.kinds.items():
+        if len(packed_parts(name)) > 1 and kind == "data":  # several maps in one: no slot takes it
+            continue
         slot = next((s for s, names in _SLOTS.items() if re.search(names, name, re.IGNORECASE)), "")
         if is_normal(kind):
             slot = "normal"

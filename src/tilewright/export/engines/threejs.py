@@ -42,4 +42,5 @@ def write(folder: Path, kit: Kit) -> None:
             "WebGPURenderer; 16-bit and float maps are half floats there.",
         ],
         files,
+        cuts=True,
     )

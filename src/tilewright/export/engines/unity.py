@@ -23,6 +23,7 @@ _LAYS = {
     "emission": "surface.emission = TwLay(surface.emission, {0}, {1});",
 }
 """How tone, and the mean of its map, change that."""
+_WHOLE_SHADOW = " Shadows are those of the surface without holes."
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -60,7 +61,7 @@ def write(folder: Path, kit: Kit) -> None:
             "Copy the folder into Assets (Unity 2021.2 or later, Universal Render Pipeline), right-click "
             "it, Create, "
             "Tilewright Material: Tiles is the number of tiles across one unit of UV. "
-            "Height and opacity are not wired.",
+            "Height and opacity are not wired." + (_WHOLE_SHADOW if kit.cut_out else ""),
             "Shader Graph: a Custom Function node of type File with Tilewright.hlsl; functions "
             f"Tilewright{', TilewrightTone (Mean: tilewright.json)' if tones else ''} and TilewrightNormal. "
             "In the Built-in pipeline include Tilewright.hlsl yourself.",
@@ -68,6 +69,7 @@ def write(folder: Path, kit: Kit) -> None:
             "levels.",
         ],
         files,
+        cuts=True,
     )
 
 
@@ -82,6 +84,9 @@ def _shader(kit: Kit, used: dict[str, str]) -> str:
     properties = [f'    {name} ("{slot.capitalize()}", {kind}) = "white" {{}}' for slot, name in used.items()]
     textures = [f"      {macro}({name}); SAMPLER(sampler{name});" for name in used.values()]
     reads = [f"        {_READS[slot].format(sample.format(name))}" for slot, name in used.items()]
+    if kit.cut_out:
+        alpha = sample.format(used["color"])
+        reads += [f"        surface.alpha = {alpha}.a;", "        clip(surface.alpha - 0.5);"]
     for slot in (slot for slot in kit.toned_slots if slot in used):
         name = f"_{slot.capitalize()}Tone"
         properties.append(f'    {name} ("{slot.capitalize()} tone", 2D) = "black" {{}}')
@@ -94,4 +99,5 @@ def _shader(kit: Kit, used: dict[str, str]) -> str:
         properties="\n".join(properties),
         textures="\n".join(textures),
         reads="\n".join(reads),
+        cut_out=kit.cut_out,
     )

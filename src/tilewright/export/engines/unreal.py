@@ -33,6 +33,7 @@ def write(folder: Path, kit: Kit) -> None:
         tones=json.dumps({slot: tones[map] for slot, map in kit.toned_slots.items()}),
         means=json.dumps({slot: kit.tone_mean(map) for slot, map in kit.toned_slots.items()}),
         toned=bool(tones),
+        cut_out=kit.cut_out,
     )
     (folder / "make_material.py").write_text(script, encoding="utf-8")
     (folder / "custom_node.hlsl").write_text(kit.lookup("unreal", tone=False), encoding="utf-8")
@@ -51,4 +52,5 @@ def write(folder: Path, kit: Kit) -> None:
             "Sides of the atlas should be powers of two (1, 2, 4 or 8 colors), else Unreal drops mip levels.",
         ],
         files,
+        cuts=True,
     )

@@ -12,6 +12,7 @@ from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.pixels import as_pixels, as_texels
 from tilewright.showing import describe
 from tilewright.signals.textures.kinds import KINDS, guess_kind, is_normal
+from tilewright.signals.textures.naming import check_map_names
 
 Maps = dict[str, NDArray[Any]]
 
@@ -19,7 +20,6 @@ SMALLEST_SIDE = 32
 LARGEST_SIDE = 32768
 LARGEST_VALUE = 1e12
 """Of float maps: what still has a square and a variance in float32."""
-LONGEST_NAME = 100
 WEIGHTS = {kind: 1.0 if kind == "color" else 0.1 for kind in KINDS}
 """What a map of each kind counts: cuts are seen in color first, and are closed in normals and heights."""
 
@@ -114,12 +114,7 @@ def check_kinds(given: Any, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
     """What each map holds: as given, else guessed."""
     if given is not None and not isinstance(given, Mapping):
         raise type_error("kinds", given, "a dict of map name to kind")
-    for name in maps:
-        if not _is_name(name):
-            raise TilewrightValueError(
-                f"a map is named {str(name)[:80]!a}; a name is a text of 1 to {LONGEST_NAME} bytes, of "
-                "letters, digits and other characters that can be printed"
-            )
+    check_map_names(maps)
     kinds = {name: guess_kind(name) for name in maps}
     for name, kind in (given or {}).items():
         check_choice("a map of kinds", name, tuple(maps))
@@ -132,11 +127,6 @@ def check_kinds(given: Any, maps: Mapping[str, NDArray[Any]]) -> dict[str, str]:
                 advice=f"name its kind, one of {', '.join(KINDS)}",
             )
     return kinds
-
-
-def _is_name(name: Any) -> bool:
-    """Whether a map can be called this, and a folder for it too."""
-    return isinstance(name, str) and name.isprintable() and 1 <= len(name.encode()) <= LONGEST_NAME
 
 
 def _check_weights(given: Any, kinds: dict[str, str]) -> dict[str, float]:

@@ -1,12 +1,13 @@
 """What a map holds - light, numbers, roughness or normals - and how pixels of each are averaged."""
 
 import re
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.pixels import LUMINANCE, MAP_WORDS, has_alpha, white, without_alpha
+from tilewright.pixels import LUMINANCE, MAP_WORDS, has_alpha, packed_parts, white, without_alpha
 
 KINDS = ("color", "data", "roughness", "height", "normal-gl", "normal-dx")
 """Light (sRGB where 8 or 16 bit, linear where float); numbers; roughness of a surface; heights of a surface;
@@ -21,7 +22,9 @@ def guess_kind(name: str) -> str:
     """What a map of this name most likely holds: ``rough_wood_albedo`` is color, ``NormalDX`` normals."""
     spaced = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
     words = re.findall("[a-z]+", spaced.lower())
-    for word in reversed(words):
+    for before, word in reversed([*pairwise(["", *words])]):
+        if packed_parts(before + word):  # metalRoughness is not roughness
+            return "data"
         for kind, _, known, _ in MAP_WORDS.values():
             # Longer words are also known by their beginning: heightmap, displacementmap.
             if word in known or any(len(k) > 3 and word.startswith(k) for k in known):

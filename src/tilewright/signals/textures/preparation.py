@@ -21,6 +21,8 @@ _TELLING = 0.1
 """Correlation from which slopes tell which way green points."""
 _SHORT, _FEW = 0.5, 0.02
 """Vectors shorter than this are none, and what share of them a map of normals may have."""
+_INWARD = 0.1
+"""How far a vector may point into the surface, as rounding and filters make of some."""
 
 
 def match_sizes(maps: Maps, kinds: dict[str, str], size: tuple[int, int] | None = None) -> Maps:
@@ -71,7 +73,7 @@ def mend_normals(pixels: NDArray[Any], kind: str, name: str) -> NDArray[Any]:
     Raises
     ------
     TilewrightValueError
-        Too many vectors are too short to be normals.
+        Too many vectors are too short to be normals, or point into the surface.
     """
     if pixels.shape[-1] < 3:
         return pixels
@@ -86,6 +88,13 @@ def mend_normals(pixels: NDArray[Any], kind: str, name: str) -> NDArray[Any]:
         raise TilewrightValueError(
             f"holds no normals: {short:.0%} of its vectors are shorter than {_SHORT}; is it another "
             "map? Name its kind, for example 'data'",
+            argument=f"map {name!r}",
+        )
+    inward = float((vectors[..., 2] < -_INWARD).mean())
+    if inward > _FEW:
+        raise TilewrightValueError(
+            f"holds no normals of a surface: {inward:.0%} of its vectors point into it; is blue another "
+            "thing than their third component? Name its kind, for example 'data'",
             argument=f"map {name!r}",
         )
     # Half a step of each component can change the length of an 8-bit vector by 0.007.

@@ -11,6 +11,7 @@ from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.sameness import Alike
 from tilewright.showing import Shown, describe, many
 from tilewright.signals.textures.kinds import guess_kind
+from tilewright.signals.textures.naming import check_map_names
 from tilewright.signals.textures.tone import Tone
 from tilewright.tiles import TileSet
 from tilewright.tiles.variants import Variants, check_variants, name_variants
@@ -72,6 +73,7 @@ class TextureTiles(Alike, Shown):
     def __post_init__(self) -> None:
         if not self.maps:
             raise TilewrightValueError("is empty; a material needs at least one map", argument="maps")
+        check_map_names(self.maps)
         object.__setattr__(
             self, "kinds", {name: self.kinds.get(name) or guess_kind(name) for name in self.maps}
         )

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from tilewright.checks import check_int, check_real, type_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
-from tilewright.pixels import LUMINANCE, as_pixels, white, without_alpha
+from tilewright.pixels import LUMINANCE, as_pixels, on_paper, white
 from tilewright.tilings.dappled.conditions import Cells, Conditions, Most
 from tilewright.tilings.hashes import MixerHash
 from tilewright.tilings.streams import DAPPLE_START
@@ -89,7 +89,8 @@ def start_from_image(
     Parameters
     ----------
     pixels : array-like, shape (h, w) or (h, w, channels), or Pillow image
-        Grays or sRGB colors; integers over their type's range, floats from 0 to 1. Alpha is left out.
+        Grays or sRGB colors; integers over their type's range, floats from 0 to 1. Alpha counts where
+        nothing is drawn, which is white, and in drawings of one color: see `tilewright.pixels.on_paper`.
     width : int
         Cells along x, 1 to 65,536; the picture is averaged over each cell, stretched where the sides have
         another ratio.
@@ -176,6 +177,6 @@ def _gray(pixels: ArrayLike) -> np.ndarray:
     if not np.isfinite(values).all():
         raise TilewrightValueError("holds NaN or infinity", argument="pixels")
     if values.ndim == 3:
-        colors = without_alpha(values)
+        colors = on_paper(values)
         values = colors @ np.array(LUMINANCE if colors.shape[2] == 3 else (1.0,))
     return np.clip(values, 0, 1).astype(np.float32)

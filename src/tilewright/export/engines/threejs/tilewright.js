@@ -155,6 +155,10 @@ function showTiles(material, maps, tones, slots) {
     repeat: new THREE.Vector2(1, 1), offset: new THREE.Vector2(), origin: new THREE.Vector2(),
     relief: slots.normal ? 1 : 0.05,
   };
+  // {{#cut_out}}
+  // Alpha of the map of color tells holes; a transparent material blends them.
+  if (slots.color === SET.slots.color && !material.transparent) material.alphaTest ||= 0.5;
+  // {{/cut_out}}
   // Heights are there for their slopes, and those of tone are too gentle to be seen.
   const toneOf = (slot) => slot === "height" ? undefined : tones[slots[slot]];
   const before = material.onBeforeCompile, key = material.customProgramCacheKey();

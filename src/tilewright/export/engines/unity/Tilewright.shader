@@ -6,7 +6,12 @@ Shader "Tilewright/Lit" {
 {{properties}}
   }
   SubShader {
+// {{^cut_out}}
     Tags { "RenderType" = "Opaque" "RenderPipeline" = "UniversalPipeline" }
+// {{/cut_out}}
+// {{#cut_out}}
+    Tags { "RenderType" = "TransparentCutout" "Queue" = "AlphaTest" "RenderPipeline" = "UniversalPipeline" }
+// {{/cut_out}}
     Pass {
       Name "ForwardLit"
       Tags { "LightMode" = "UniversalForward" }
@@ -79,6 +84,8 @@ Shader "Tilewright/Lit" {
       ENDHLSL
     }
     UsePass "Universal Render Pipeline/Lit/ShadowCaster"
+// {{^cut_out}}
     UsePass "Universal Render Pipeline/Lit/DepthOnly"
+// {{/cut_out}}
   }
 }
