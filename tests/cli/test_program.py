@@ -134,7 +134,7 @@ def test_full_output_is_one_line(work):
     if not Path("/dev/full").exists():
         pytest.skip("there is no /dev/full")
     with open("/dev/full", "w") as full:
-        command = [str(PROGRAM), "analyze", "set", "--json"]
+        command = [str(PROGRAM), "analyze", "set", "--json", "--quiet"]
         done = subprocess.run(command, cwd=work, stdout=full, stderr=subprocess.PIPE, timeout=120)
     assert (done.returncode, done.stderr.count(b"\n")) == (2, 1)
 

@@ -207,7 +207,7 @@ def test_small_walls_close_and_seeds_make_other_walls(tmp_path):
         for file, options in (("a.npy", ["--cyclic"]), ("b.npy", [])):
             with pytest.raises(SystemExit) as ended:
                 run(["bricks", "-o", str(tmp_path / file), "--width", "4", "--height", "4",
-                     "--seed", str(seed), *options])  # fmt: skip
+                         "--force", "--seed", str(seed), *options])  # fmt: skip
             assert ended.value.code == 0
             made.append(np.load(tmp_path / file).tobytes())
     assert len(set(made)) == 10

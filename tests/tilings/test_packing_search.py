@@ -238,15 +238,15 @@ def test_the_command(tmp_path, capsys, monkeypatch):
     assert (code, said.out) == (0, '{"tiles": 16, "packings": 203520}\n')
     assert call("pack", "--colors", 3, "--method", "search", "--seed", 11, "-o", file)[0] == 0
     assert np.array_equal(np.load(file), random_packing(tw.corner_tiles(3), seed=11).cells)
-    assert call("pack", "--colors", 4, "--method", "recursive", "-o", file)[0] == 0
+    assert call("pack", "--colors", 4, "--method", "recursive", "-o", file, "--force")[0] == 0
     assert np.array_equal(np.load(file), recursive_packing(tw.corner_tiles(4)).cells)
     assert call("pack")[0] == 0
     assert tw.read_image("corner-2-packing.png").shape[2] == 3
     for arguments, message in (
         (("--colors", 3, "--count"), "packings are counted for up to 16"),
-        (("--method", "luck", "-o", file), "allowed are closed, search, recursive"),
+        (("--method", "luck", "-o", tmp_path / "q.npy"), "allowed are closed, search, recursive"),
         (("-o", tmp_path / "p.gif"), "allowed are .npy, .svg, .png"),
-        (("--picture", "a.png", "-o", file), "give it with a FILE.svg"),
+        (("--picture", "a.png", "-o", tmp_path / "q.npy"), "give it with a FILE.svg"),
     ):
         code, said = call("pack", *arguments)
         assert code == 2

@@ -12,10 +12,10 @@ from tilewright.pixels import MAP_WORDS
 
 _READ = (
     *(".png", ".jpg", ".jpeg", ".jfif", ".tif", ".tiff", ".exr", ".tga", ".bmp", ".hdr", ".webp"),
-    *(".jp2", ".j2k"),
+    *(".jp2", ".j2k", ".dds", ".avif", ".gif"),
 )
 _OTHERS = (
-    *(".dds", ".ktx", ".ktx2", ".psd", ".xcf", ".kra", ".avif", ".heic", ".heif", ".jxl", ".gif", ".svg"),
+    *(".ktx", ".ktx2", ".psd", ".xcf", ".kra", ".heic", ".heif", ".jxl", ".svg"),
     *(".pgm", ".ppm", ".pfm", ".dng", ".pcx", ".sgi", ".pic"),
 )
 """Suffixes of pictures that are not taken into a material, but named where their names are those of maps."""
@@ -26,7 +26,7 @@ _VIEWS = ("preview", "thumb", "thumbnail", "render", "sphere", "plane", "cube", 
 def find_maps(folder: AnyPath) -> dict[str, Path]:
     """Find the maps of a material in a folder, albedo first, by the ends of their file names.
 
-    Files of other names, and of formats that are not read here such as DDS, are left out, which is said in a
+    Files of other names, and of formats that are not read here such as KTX, are left out, which is said in a
     warning. Where a material brings its normals both ways, OpenGL's are taken. Endings of one letter or two,
     as Unreal's ``_D`` and ``_N``, count where other files of the same words show what they mean. A map that
     holds several (``orm``, ``arm``, ``rma``, ``maskmap``) is one file here; `open_exemplar` takes it apart.

@@ -33,13 +33,11 @@ def print_of(path: AnyPath | None, width: float, height: float) -> Iterator[str]
     kind = next((k for start, k in _SIGNATURES.items() if content.startswith(start)), None)
     if kind is None:
         raise TilewrightFileError(f"{given} is no PNG or JPEG file; expected one of these", value=given)
-    turned = _is_turned(given)
-    # Also refuses one that is damaged. The colors of bytes that are kept are those of their profile.
-    pixels = read_image(given, color=turned)
-    if turned:
+    read_image(given, color=False)  # refuses one that is damaged
+    if _is_turned(given):
         with TemporaryDirectory() as folder:
             upright = Path(folder) / "upright.png"
-            write_image(upright, pixels)
+            write_image(upright, read_image(given))
             kind, content = "png", upright.read_bytes()
     yield element(
         "image",
