@@ -26,12 +26,14 @@ from tilewright.cli import (
     warm,
 )
 from tilewright.cli.performing import Ending, say
+from tilewright.cli.spelling import spell_numbers
 from tilewright.errors import TilewrightError, TilewrightWarning
 
 _INTERRUPTED = 130
 
 app = typer.Typer(
     name="tilewright",
+    context_settings={"help_option_names": ["--help", "-h"]},
     help="Endless, non-repeating textures and points from Wang tiles and corner tiles.",
     pretty_exceptions_enable=False,
     rich_markup_mode=None,
@@ -48,7 +50,7 @@ def _version(asked: bool) -> None:
 def _root(
     context: typer.Context,
     version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+        bool, typer.Option("--version", "-V", callback=_version, is_eager=True, help="Print the version.")
     ] = False,
 ) -> None:
     if context.invoked_subcommand is None:
@@ -56,7 +58,8 @@ def _root(
         raise typer.Exit(2)
 
 
-for command in (
+COMMANDS: dict[str, Callable[..., None]] = {}
+for module in (
     texture,
     render,
     view,
@@ -71,7 +74,8 @@ for command in (
     export,
     warm,
 ):
-    app.command(command.__name__.rsplit(".", 1)[-1])(command.command)
+    name = module.__name__.rsplit(".", 1)[-1]
+    COMMANDS[name] = app.command(name)(module.command)
 
 
 def main() -> None:
@@ -95,14 +99,15 @@ def main() -> None:
 def run(arguments: list[str] | None = None) -> None:
     """Run a command; never show a traceback for what a user can mend."""
     warnings.showwarning = _show_warning  # type: ignore[assignment]
+    given = sys.argv[1:] if arguments is None else arguments
     try:
-        code = app(arguments, standalone_mode=False)
+        code = app(_spelled(given), standalone_mode=False)
         if sys.stdout is not None:
             sys.stdout.flush()
         if code == _INTERRUPTED:
             _say("stopped")
     except TilewrightError as error:
-        code = _say(error.told(names_of(sys.argv[1:] if arguments is None else arguments)))
+        code = _say(error.told(names_of(given)))
     except MemoryError:
         code = _say("not enough memory; ask for a smaller tile size, fewer colors or a smaller window")
     except (KeyboardInterrupt, typer.Abort):
@@ -110,7 +115,7 @@ def run(arguments: list[str] | None = None) -> None:
     except BrokenPipeError:
         code = 1
     except OSError as error:
-        code = _say(f"the output could not be written: {(error.strerror or str(error)).lower()}")
+        code = _say(f"a file could not be read or written: {(error.strerror or str(error)).lower()}")
     except Exception as error:
         if Ending.asked:  # a signal that met a compiler or a library in the middle of something
             sys.exit(_say("stopped", _INTERRUPTED))
@@ -120,6 +125,12 @@ def run(arguments: list[str] | None = None) -> None:
             raise
         code = _say(message())
     sys.exit(code if isinstance(code, int) else 0)
+
+
+def _spelled(arguments: list[str]) -> list[str]:
+    """The arguments with numbers as the parser takes them."""
+    called = next((word for word in arguments if word in COMMANDS), None)
+    return arguments if called is None else [*spell_numbers(arguments, COMMANDS[called])]
 
 
 def names_of(arguments: list[str]) -> Callable[[str], str]:
