@@ -15,7 +15,6 @@ from .photos.methods import (
 )
 from .plane import (
     PixelField as PixelField,
-    PixelMap as PixelMap,
 )
 from .points.field import (
     PointField as PointField,
@@ -25,4 +24,7 @@ from .points.window import (
 )
 from .textures import (
     TextureField as TextureField,
+)
+from .windows import (
+    PixelMap as PixelMap,
 )

@@ -2,64 +2,30 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from functools import partial
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_choice, check_int, check_out, check_progress, type_error
+from tilewright.checks import check_choice, check_out, check_progress
 from tilewright.errors import Progress, TilewrightValueError
+from tilewright.fields.sampling import FarView, sample_pixels, scaled_pixels, scaled_sides
+from tilewright.fields.windows import (
+    PixelMap,
+    PixelWindow,
+    check_pair,
+    check_pixel_window,
+    indexed_window,
+)
 from tilewright.files.atomic import AnyPath, as_path
 from tilewright.files.image_streams import stream_image
 from tilewright.files.images import check_writable
 from tilewright.showing import Shown, describe, many
 from tilewright.tilings import Domain
 
-LARGEST_SIDE = 2**31 - 1
 _BLOCK_BYTES = 16 << 20
 """Of a piece that `PixelField.blocks` gives, where no size is asked for."""
-
-
-class PixelMap(NamedTuple):
-    """What a map of a field is made of.
-
-    Parameters
-    ----------
-    dtype : dtype
-        Type of its numbers.
-    channels : int
-        Numbers of a pixel, 1 to 4.
-    kind : str
-        What the numbers mean: ``"color"``, ``"data"``, ``"roughness"``, ``"height"``, ``"normal-gl"`` or
-        ``"normal-dx"``.
-    """
-
-    dtype: np.dtype[Any]
-    channels: int
-    kind: str = "color"
-
-
-class PixelWindow(NamedTuple):
-    """A rectangle of the plane in pixels, its north-west pixel as integers of any size."""
-
-    x: int
-    y: int
-    width: int
-    height: int
-
-    def grow(self, margin: int) -> "PixelWindow":
-        """The window with ``margin`` more pixels on every side."""
-        return PixelWindow(
-            self.x - margin, self.y - margin, self.width + 2 * margin, self.height + 2 * margin
-        )
-
-    def split(self, columns: int, rows: int) -> Iterator[tuple["PixelWindow", tuple[slice, slice]]]:
-        """Pieces of at most ``columns`` x ``rows`` pixels, row by row, and where each lies in the window."""
-        for top in range(0, self.height, rows):
-            for left in range(0, self.width, columns):
-                width, height = min(columns, self.width - left), min(rows, self.height - top)
-                at = slice(top, top + height), slice(left, left + width)
-                yield PixelWindow(self.x + left, self.y + top, width, height), at
 
 
 class PixelField(Shown, ABC):
@@ -117,6 +83,66 @@ class PixelField(Shown, ABC):
         """Channels of the main map."""
         return self.maps[self.main].channels
 
+    def __getitem__(self, key: Any) -> NDArray[Any]:
+        """Give the pixels of ``field[y, x]``, where y and x are numbers or ranges with both ends.
+
+        Returns
+        -------
+        array, shape (height, width, channels), less the axes that are numbers
+            Pixels of the main map; a step takes every nth.
+        """
+        window, taken = indexed_window(self.domain, key)
+        pixels: NDArray[Any] = self.render(*window)[taken]
+        return pixels
+
+    __iter__ = None  # an endless plane is not gone through
+
+    def at(
+        self,
+        points: ArrayLike,
+        *,
+        map: str | None = None,
+        footprint: float = 1.0,
+        origin: tuple[int, int] = (0, 0),
+    ) -> NDArray[Any]:
+        """Give what is seen at scattered places, between pixels and from afar.
+
+        Parameters
+        ----------
+        points : array-like of shape (..., 2)
+            Places in pixels, x first; pixel (0, 0) has its center at (0.5, 0.5).
+        map : str, optional
+            Which map; by default the main one.
+        footprint : float, optional
+            Pixels along the square that a place stands for, 0 to 1,024; default 1. From 1.5 on, the plane is
+            reduced as in the mip level nearest to it, colors as light and normals as vectors.
+        origin : (int, int), optional
+            Whole pixels, of any size, that are added to all places; default (0, 0). For places so far out
+            that a float has no fractions there.
+
+        Returns
+        -------
+        array, shape (..., channels)
+            For each place the value between the centers of four pixels, of the map's type.
+
+        Raises
+        ------
+        TilewrightTypeError
+            Something else than numbers.
+        TilewrightValueError
+            A place outside the domain, another shape, an unknown map, or a footprint larger than the plane.
+        """
+        name = self._name(map)
+        view = FarView.of(self.domain, origin, points)
+        found = sample_pixels(
+            lambda x, y, width, height: self._render(self._window(*view.place(x, y), width, height), name),
+            view.domain,
+            self.maps[name].kind,
+            view.points,
+            footprint,
+        )
+        return found.reshape(*view.shape, found.shape[-1])
+
     def render(
         self,
         x: int = 0,
@@ -125,6 +151,7 @@ class PixelField(Shown, ABC):
         height: int = 1024,
         *,
         map: str | None = None,
+        scale: float = 1.0,
         out: NDArray[Any] | None = None,
     ) -> NDArray[Any]:
         """Give the pixels of a window, equal to the same pixels of any other window.
@@ -137,6 +164,9 @@ class PixelField(Shown, ABC):
             Size of the window in pixels, 1 to 2^31 - 1; default 1024 each.
         map : str, optional
             Which map; by default the main one.
+        scale : float, optional
+            Pixels of the picture for each of the window, 1/1,024 to 64; default 1. Other pictures are
+            ``round(scale * width)`` wide, and read as by `at` with a footprint of ``1 / scale``.
         out : array, shape (height, width, channels) of the map's type, optional
             C-contiguous; filled and returned. By default a new array is made.
 
@@ -155,13 +185,20 @@ class PixelField(Shown, ABC):
         """
         name = self._name(map)
         window = self._window(x, y, width, height)
+        picture = PixelWindow(0, 0, *scaled_sides(window.width, window.height, scale))
         if out is None:
-            out = self._make_out(window, name)
+            out = self._make_out(picture, name)
         else:
-            shape, kind = self._shape(window, name), self.maps[name].dtype
+            shape, kind = self._shape(picture, name), self.maps[name].dtype
             check_out(out, lambda given: (given.shape, given.dtype) == (shape, kind), f"{kind} {shape}")
+        if scale != 1:
+            return scaled_pixels(self._reader(window, name, scale), scale, picture, out)
         self._paint(window, {name: out})
         return out
+
+    def _reader(self, window: PixelWindow, name: str, scale: float) -> Any:
+        """Reads places of a window, for a picture of it at some scale."""
+        return partial(self.at, map=name, footprint=1 / scale, origin=window[:2])
 
     def render_maps(
         self,
@@ -253,6 +290,7 @@ class PixelField(Shown, ABC):
         height: int = 1024,
         *,
         map: str | None = None,
+        scale: float = 1.0,
         progress: Progress | None = None,
     ) -> None:
         """Render a window to a file, a block at a time, in memory that does not grow with the window.
@@ -269,6 +307,8 @@ class PixelField(Shown, ABC):
             Size of the window in pixels, 1 to 2^31 - 1; default 1024 each.
         map : str, optional
             Which map; by default the main one.
+        scale : float, optional
+            Pixels of the picture for each of the window, as for `render`; default 1.
         progress : callable, optional
             Called as ``progress(done, total, what)``, counted in rows of pixels; raise `Cancelled` in it to
             stop.
@@ -289,16 +329,21 @@ class PixelField(Shown, ABC):
         check_writable(file, form.dtype)
         check_progress(progress)
         window = self._window(x, y, width, height)
+        across, down = scaled_sides(width, height, scale)
 
         def block(left: int, top: int, columns: int, rows: int) -> NDArray[Any]:
             if progress is not None:
-                progress(top, window.height, f"rendering {file.name}")
+                progress(top, down, f"rendering {file.name}")
+            if scale != 1:
+                out = self._make_out(PixelWindow(0, 0, columns, rows), name)
+                part = (left, top, columns, rows)
+                return scaled_pixels(self._reader(window, name, scale), scale, part, out)
             return self._render(PixelWindow(window.x + left, window.y + top, columns, rows), name)
 
         color = form.kind == "color"
-        stream_image(file, block, window.height, window.width, form.channels, form.dtype, color)
+        stream_image(file, block, down, across, form.channels, form.dtype, color)
         if progress is not None:
-            progress(window.height, window.height, f"rendering {file.name}")
+            progress(down, down, f"rendering {file.name}")
 
     @property
     def _usual(self) -> list[str]:
@@ -338,31 +383,3 @@ class PixelField(Shown, ABC):
         pixels = max(1, _BLOCK_BYTES // (self.maps[name].channels * self.maps[name].dtype.itemsize))
         columns = min(window.width, pixels)
         return columns, max(1, pixels // columns)
-
-
-def check_pixel_window(
-    domain: Domain, reach: tuple[int, int], x: Any, y: Any, width: Any, height: Any
-) -> PixelWindow:
-    """A window as integers of any size, if it lies in a domain of pixels and within ``reach``."""
-    first, extent = [], []
-    for axis, (at, count) in enumerate(((x, width), (y, height))):
-        name, side = "xy"[axis], ("width", "height")[axis]
-        extent.append(check_int(side, count, 1, LARGEST_SIDE))
-        low, high = domain.bounds[axis] or (-reach[axis], reach[axis])
-        if extent[axis] > high - low:
-            raise TilewrightValueError(
-                f"is {count}; there are {high - low} pixels",
-                argument=side,
-                value=count,
-                allowed=f"1 to {high - low}",
-            )
-        first.append(check_int(name, at, low, high - extent[axis]))
-    return PixelWindow(*first, *extent)
-
-
-def check_pair(name: str, given: Any) -> tuple[int, int]:
-    """Width and height in pixels, both at least 1."""
-    if not isinstance(given, (tuple, list)) or len(given) != 2:
-        raise type_error(name, given, "a width and a height in pixels")
-    width, height = (check_int(name, side, 1, LARGEST_SIDE) for side in given)
-    return width, height

@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.fields.agreement import check_agreement
-from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
+from tilewright.fields.plane import PixelField
 from tilewright.fields.tone import add_tone, tone_window
+from tilewright.fields.windows import PixelMap, PixelWindow
 from tilewright.signals.textures import TextureTiles
 from tilewright.tilings import Domain, Tiling
 from tilewright.tilings.domain import LARGEST_CELL

@@ -11,7 +11,8 @@ from tilewright.checks import check_type
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields.bricks.patterns import SIZE, BrickPattern, Bricks, RegionBricks, WangBricks
 from tilewright.fields.bricks.relief import MARGIN, light
-from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
+from tilewright.fields.plane import PixelField
+from tilewright.fields.windows import PixelMap, PixelWindow
 from tilewright.files.atomic import AnyPath, as_path, whole_folder
 from tilewright.signals.bricks.painting import CHANCES, paint
 from tilewright.signals.bricks.style import BrickStyle, tint_bricks
@@ -185,6 +186,7 @@ class BrickField(PixelField):
         height: int = 1024,
         *,
         map: str | None = None,
+        scale: float = 1.0,
         progress: Progress | None = None,
     ) -> None:
         """Write a window to a picture, or all of its maps to a folder, a block at a time.
@@ -200,6 +202,8 @@ class BrickField(PixelField):
             Size of the window in pixels, 1 to 2^31 - 1; default 1024 each.
         map : str, optional
             For a single picture; by default ``"preview"``. Of ``"id"`` the colors are written.
+        scale : float, optional
+            Pixels of the picture for each of the window, as for `render`; default 1.
         progress : callable, optional
             Called as ``progress(done, total, what)``, counted in rows of each picture; raise `Cancelled` in
             it to stop.
@@ -216,12 +220,12 @@ class BrickField(PixelField):
         """
         target = as_path(path)
         if target.suffix:
-            super().save(target, x, y, width, height, map=map, progress=progress)
+            super().save(target, x, y, width, height, map=map, scale=scale, progress=progress)
             return
         window = self._window(x, y, width, height)
         with whole_folder(target, _object) as folder:
             for name, file in FILES.items():
-                super().save(folder / file, *window, map=name, progress=progress)
+                super().save(folder / file, *window, map=name, scale=scale, progress=progress)
 
     @property
     def _usual(self) -> list[str]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_int, type_error
 from tilewright.errors import TilewrightTypeError
-from tilewright.fields.plane import PixelWindow, check_pixel_window
+from tilewright.fields.windows import PixelWindow, check_pixel_window
 from tilewright.showing import describe
 from tilewright.signals.bricks.edges import check_traversed, find_thinnest, place_positions
 from tilewright.tilings import Domain, Tiling

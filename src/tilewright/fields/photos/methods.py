@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.fields.photos.gaussian import gaussianize
-from tilewright.fields.plane import PixelField, PixelMap, PixelWindow
+from tilewright.fields.plane import PixelField
+from tilewright.fields.windows import PixelMap, PixelWindow
 from tilewright.files.images import open_picture
 from tilewright.pixels import LUMA, is_pillow
 from tilewright.signals.textures.exemplar import check_map
