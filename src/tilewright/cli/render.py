@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
-from tilewright.cli.options import DryRun, Folder, Force, Json, LatticeSeed, Map, NoSeed, Quiet, option
+from tilewright.cli.options import DryRun, Folder, Force, Json, LatticeSeed, NoSeed, Quiet, option
 from tilewright.cli.performing import perform
 
 
@@ -11,13 +11,19 @@ def command(
     folder: Folder,
     output: Annotated[
         Path | None,
-        option("-o", "--output", help="Picture to write: FILE.png, .tif or .exr; default SET.png."),
+        option("-o", "--output", help="Picture: FILE.png, .tif, .exr, .jpg or .webp; default SET.png."),
     ] = None,
     width: Annotated[int, option(help="Width of the window in pixels; default 2048.")] = 2048,
     height: Annotated[int, option(help="Height of the window in pixels; default 2048.")] = 2048,
     x: Annotated[int, option(help="West-most pixel of the window, anywhere on the plane; default 0.")] = 0,
     y: Annotated[int, option(help="North-most pixel of the window; default 0.")] = 0,
-    map: Map = None,
+    map: Annotated[
+        str | None,
+        option("--map", help="Name of the map; default the set's main map; all writes a folder."),
+    ] = None,
+    scale: Annotated[
+        float, option(help="Number of pixels of the picture for each of the window; default 1.")
+    ] = 1.0,
     density: Annotated[
         Path | None,
         option(

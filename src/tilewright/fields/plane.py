@@ -20,7 +20,7 @@ from tilewright.fields.windows import (
 )
 from tilewright.files.atomic import AnyPath, as_path
 from tilewright.files.image_streams import stream_image
-from tilewright.files.images import check_writable
+from tilewright.files.picture_forms import picture_form
 from tilewright.showing import Shown, describe, many
 from tilewright.tilings import Domain
 
@@ -300,7 +300,8 @@ class PixelField(Shown, ABC):
         Parameters
         ----------
         path : str or path-like
-            ``.tif``, which becomes a tiled BigTIFF; ``.png`` for 8 and 16 bit; ``.exr`` for float.
+            ``.tif``, which becomes a tiled BigTIFF; ``.png`` for 8 and 16 bit; ``.exr``, which holds floats,
+            of colors their linear light; ``.jpg`` and ``.webp`` for looking at.
         x, y : int, optional
             North-west pixel of the window; default (0, 0).
         width, height : int, optional
@@ -326,7 +327,7 @@ class PixelField(Shown, ABC):
         name = self._pictured(self._name(map))
         file = as_path(path)
         form = self.maps[name]
-        check_writable(file, form.dtype)
+        picture_form(file, form.dtype, form.channels, form.kind)
         check_progress(progress)
         window = self._window(x, y, width, height)
         across, down = scaled_sides(width, height, scale)
@@ -340,8 +341,7 @@ class PixelField(Shown, ABC):
                 return scaled_pixels(self._reader(window, name, scale), scale, part, out)
             return self._render(PixelWindow(window.x + left, window.y + top, columns, rows), name)
 
-        color = form.kind == "color"
-        stream_image(file, block, down, across, form.channels, form.dtype, color)
+        stream_image(file, block, down, across, form.channels, form.dtype, form.kind)
         if progress is not None:
             progress(down, down, f"rendering {file.name}")
 

@@ -1,4 +1,4 @@
-"""Pictures larger than memory, written block by block: tiled BigTIFF, PNG and EXR."""
+"""Pictures larger than memory, written block by block: tiled BigTIFF, PNG and EXR; JPEG and WebP too."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -12,11 +12,11 @@ from tilewright.files.decoding.alpha import to_associated
 from tilewright.files.decoding.png_chunks import read_chunks
 from tilewright.files.images import (
     check_sides,
-    check_writable,
     image_spec,
     is_associated,
     unwritten_error,
 )
+from tilewright.files.picture_forms import Convert, picture_form
 from tilewright.pixels import has_alpha
 
 TILE = 256
@@ -34,28 +34,31 @@ def stream_image(
     width: int,
     channels: int,
     kind: np.dtype[Any],
-    color: bool = True,
+    map_kind: str = "color",
 ) -> None:
     """Write a picture that is made a block at a time.
 
+    ``map_kind`` says what the numbers mean, see `picture_form`.
+
     TIFF files are tiled (256 x 256, not compressed) and BigTIFF; PNG and EXR files are written by
     scanlines. One block of about 16 MB is in memory, however wide and high the picture. The file appears
-    when it is complete. Colors are multiplied by alpha in EXR, and nowhere where they are no ``color``.
+    when it is complete. Colors are multiplied by alpha in EXR. JPEG and WebP are for looking at.
     """
     path = as_path(path)
-    name = check_writable(path, kind)
+    kind, channels, convert = picture_form(path, kind, channels, map_kind)
     check_sides(path, width, height)
-    if is_associated(path, channels, color):
-        render = _associated(render)
+    render = _converted(render, convert)
+    if is_associated(path, channels, map_kind == "color"):
+        render = _converted(render, to_associated)
     with whole_file(path) as unfinished:
         if path.suffix.lower() in (".tif", ".tiff"):
             _write_tiff(unfinished, render, height, width, channels, kind)
         else:
-            _write_scanlines(path, unfinished, render, height, width, channels, kind, name)
+            _write_scanlines(path, unfinished, render, height, width, channels, kind)
 
 
-def _associated(render: Render) -> Render:
-    return lambda left, top, width, height: to_associated(render(left, top, width, height))
+def _converted(render: Render, convert: Convert) -> Render:
+    return lambda left, top, width, height: convert(render(left, top, width, height))
 
 
 def _write_tiff(
@@ -97,11 +100,10 @@ def _write_scanlines(
     width: int,
     channels: int,
     kind: np.dtype[Any],
-    name: str,
 ) -> None:
     import OpenImageIO as oiio
 
-    spec = image_spec(path, width, height, channels, name)
+    spec = image_spec(path, width, height, channels, kind)
     output = oiio.ImageOutput.create(str(unfinished))
     if output is None:
         raise unwritten_error(path)

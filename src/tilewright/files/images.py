@@ -22,8 +22,10 @@ from tilewright.files.decoding.decoders import decode
 from tilewright.pixels import as_pixels, has_alpha, is_pillow
 
 _MOST_CHANNELS = 4
-_LARGEST_SIDES = {".png": 1_000_000, ".exr": 1 << 20}
-"""What libpng takes, and what OpenImageIO reads again."""
+_LARGEST_SIDES = {".png": 1_000_000, ".exr": 1 << 20, ".jpg": 65_535, ".jpeg": 65_535, ".webp": 16_383}
+"""What libpng takes, what OpenImageIO reads again, and what the formats have numbers for."""
+_COMPRESSIONS = {".jpg": "jpeg:95", ".jpeg": "jpeg:95", ".webp": "webp:95"}
+_NAMES = {np.dtype(np.uint8): "uint8", np.dtype(np.uint16): "uint16", np.dtype(np.float32): "float"}
 _LARGEST_SIDE = 2**31 - 1
 NO_DATE = "1980:01:01 00:00:00"
 """Written instead of the time, so that the same pixels give the same bytes."""
@@ -203,7 +205,7 @@ def write_image(path: AnyPath, pixels: NDArray[Any], *, color: bool = True) -> N
     """
     path = as_path(path)
     check_type("pixels", pixels, np.ndarray, "an array")
-    kind = check_writable(path, pixels.dtype)
+    check_writable(path, pixels.dtype)
     if pixels.ndim != 3 or not 1 <= pixels.shape[2] <= _MOST_CHANNELS or 0 in pixels.shape:
         raise shape_error(
             "pixels",
@@ -217,7 +219,7 @@ def write_image(path: AnyPath, pixels: NDArray[Any], *, color: bool = True) -> N
         pixels = to_associated(pixels)
     import OpenImageIO as oiio
 
-    spec = image_spec(path, width, height, channels, kind)
+    spec = image_spec(path, width, height, channels, pixels.dtype)
     spec.attribute("DateTime", NO_DATE)
     with whole_file(path) as unfinished:
         output = oiio.ImageOutput.create(str(unfinished))
@@ -232,19 +234,20 @@ def write_image(path: AnyPath, pixels: NDArray[Any], *, color: bool = True) -> N
             raise unwritten_error(path)
 
 
-def image_spec(path: Path, width: int, height: int, channels: int, kind: str) -> Any:
+def image_spec(path: Path, width: int, height: int, channels: int, kind: np.dtype[Any]) -> Any:
     """What OpenImageIO is to write to a file of this suffix."""
     import OpenImageIO as oiio
 
-    spec = oiio.ImageSpec(width, height, channels, kind)
+    spec = oiio.ImageSpec(width, height, channels, _NAMES[kind])
     if channels == 2:
         spec.channelnames = PICTURE_CHANNELS[2]
         spec.alpha_channel = 1
     spec.attribute("oiio:UnassociatedAlpha", 1)
-    if path.suffix.lower() == ".png":
+    suffix = path.suffix.lower()
+    if suffix == ".png":
         spec.attribute("png:compressionLevel", 4)
     else:
-        spec.attribute("compression", "zip")
+        spec.attribute("compression", _COMPRESSIONS.get(suffix, "zip"))
     return spec
 
 
@@ -279,11 +282,10 @@ def _holds(path: Path, pixels: NDArray[Any]) -> bool:
         return False
 
 
-def check_writable(path: Path, kind: np.dtype[Any]) -> str:
-    """The pixel type a file of this suffix would hold; an error where it cannot hold such pixels."""
+def check_writable(path: Path, kind: np.dtype[Any]) -> None:
+    """Refuse a file of this suffix where it cannot hold such pixels as they are."""
     suffix = path.suffix.lower()
-    names = {np.dtype(np.uint8): "uint8", np.dtype(np.uint16): "uint16", np.dtype(np.float32): "float"}
-    if kind not in names:
+    if kind not in _NAMES:
         raise TilewrightTypeError(
             f"have type {kind}; allowed are uint8, uint16, float32",
             argument="pixels",
@@ -301,12 +303,11 @@ def check_writable(path: Path, kind: np.dtype[Any]) -> str:
             f"{', '.join(allowed)}",
             value=path,
         )
-    if names[kind] not in allowed[suffix]:
-        fits = [s for s, kinds in allowed.items() if names[kind] in kinds and s != ".tiff"]
+    if _NAMES[kind] not in allowed[suffix]:
+        fits = [s for s, kinds in allowed.items() if _NAMES[kind] in kinds and s != ".tiff"]
         raise TilewrightValueError(
             f"{path}: {suffix} cannot hold {kind} pixels", value=path, advice=f"use {' or '.join(fits)}"
         )
-    return names[kind]
 
 
 def lossless_suffix(kind: np.dtype[Any], channels: int = 1) -> str:

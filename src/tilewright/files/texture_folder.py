@@ -81,7 +81,7 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
     stems = _stems(material.variants)
     maps = {
         name: [
-            image(f"{_safe(name)}/{stem}{suffix(pixels)}", picture)
+            image(f"{safe_stem(name)}/{stem}{suffix(pixels)}", picture)
             for stem, picture in zip(stems, pixels, strict=True)
         ]
         for name, pixels in material.maps.items()
@@ -91,7 +91,7 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
     ]
     sources = [
         {
-            name: image(f"exemplar/{s}-{_safe(name)}{suffix(pixels)}", pixels)
+            name: image(f"exemplar/{s}-{safe_stem(name)}{suffix(pixels)}", pixels)
             for name, pixels in source.items()
         }
         for s, source in enumerate(material.sources)
@@ -101,7 +101,7 @@ def write_texture(folder: Path, material: TextureTiles) -> None:
         for s, mask in enumerate(material.masks)
     ]
     toned = {} if material.tone is None else material.tone.maps
-    tone = {name: image(f"tone/{_safe(name)}.exr", texels) for name, texels in toned.items()}
+    tone = {name: image(f"tone/{safe_stem(name)}.exr", texels) for name, texels in toned.items()}
     writer.finish(
         TextureManifest(
             _schema(material),
@@ -232,6 +232,6 @@ def _check_origins(origins: NDArray[Any], sources: tuple[dict[str, NDArray[Any]]
             raise TilewrightFileError(f"picture {t} of origins names a pixel outside its source")
 
 
-def _safe(name: str) -> str:
+def safe_stem(name: str) -> str:
     """A map's name as part of a file name."""
     return "".join(c if c.isalnum() or c in "-_" else "_" for c in name) or "map"
