@@ -1,6 +1,7 @@
 """The house as it is built: names, rooms, and what an import costs."""
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -8,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import tilewright
+from tilewright.files.texts import write_text
 
 SOURCE = Path(tilewright.__file__).parent
 STUBS = sorted(SOURCE.rglob("__init__.pyi"))
@@ -60,3 +62,12 @@ def test_no_kernel_takes_more_than_12_arguments_besides_its_part_of_a_range():
         and len({argument.arg for argument in node.args.args} - {"first", "last"}) > MOST_ARGUMENTS
     }
     assert not many
+
+
+def test_text_is_written_by_one_function(tmp_path):
+    """So that its bytes are the same on every system."""
+    ways = re.compile(r"\.write_text\(|linesep|open\([^)\n]*\"[wx]t?\"(?![^)\n]*newline)")
+    found = [p.name for p in SOURCE.rglob("*.py") if p.name != "texts.py" and ways.search(p.read_text())]
+    assert found == []
+    write_text(tmp_path / "a", "\u00e9\n")
+    assert (tmp_path / "a").read_bytes() == b"\xc3\xa9\n"

@@ -96,12 +96,12 @@ def check_color(folder: AnyPath, maps: Mapping[str, object]) -> None:
     if "albedo" in maps:
         return
     files = {name: Path(str(file)).name for name, file in maps.items()}
-    asked = " ".join(f"--map {name}={file}" for name, file in list(files.items())[:1])
+    name, file = next(iter(files.items()))
     raise TilewrightFileError(
         f"{as_path(folder)} has no map of color by its file names: "
         + _listed([f"{file} is {name}" for name, file in files.items()]),
         value=folder,
-        advice=f"give it by name too (--map albedo=FILE), or only what you want tiles of ({asked})",
+        advice=f"give one by name too, as map albedo=FILE, or only what you want tiles of, as {name}={file}",
     )
 
 

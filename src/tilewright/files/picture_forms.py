@@ -51,6 +51,10 @@ def picture_form(path: Path, dtype: np.dtype[Any], channels: int, kind: str) -> 
             )
         shown = channels if suffix != ".webp" else 4 if has_alpha(channels) else 3
         return PictureForm(np.dtype(np.uint8), shown, lambda pixels: _widened(_as_bytes(pixels), shown))
+    if suffix in _LOSSY:
+        raise TilewrightValueError(
+            f"{path}: {suffix} cannot hold {dtype} pixels", value=path, advice="use .tif or .exr"
+        )
     check_writable(path, dtype)
     return PictureForm(dtype, channels, lambda pixels: pixels)
 

@@ -253,6 +253,7 @@ class DappleJob(WritingJob):
         import numpy as np
 
         from tilewright.files.atomic import whole_file
+        from tilewright.files.texts import write_text
         from tilewright.tilings.dappled import dapple_formula
 
         partial = None if self.pins is None else _read_pins(self.pins)
@@ -264,9 +265,8 @@ class DappleJob(WritingJob):
         limits = ", ".join(f"{limit}={np.asarray(limit.most).item()}" for limit in conditions.limits)
         ring = "cyclic " if self.cyclic else ""
         with whole_file(self.target) as unfinished:
-            unfinished.write_text(
-                clauses.dimacs((f"{ring}dappled tilings of {width} x {height} cells: {limits}",))
-            )
+            said = f"{ring}dappled tilings of {width} x {height} cells: {limits}"
+            write_text(unfinished, clauses.dimacs((said,)))
         figures = {"width": width, "height": height, "variables": clauses.count, "clauses": len(clauses)}
         return figures, f"{self.target}: {clauses.count} variables, {len(clauses)} clauses"
 

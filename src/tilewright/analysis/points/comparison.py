@@ -16,6 +16,7 @@ from tilewright.analysis.sheets import need_plots
 from tilewright.checks import check_choice, check_int, type_error
 from tilewright.errors import Cancelled, Progress, TilewrightError
 from tilewright.files.atomic import AnyPath, as_path, check_folder, whole_folder
+from tilewright.files.texts import write_text
 from tilewright.samplers.point_set import PointSet
 from tilewright.showing import describe_record
 
@@ -109,9 +110,9 @@ class Comparison:
             The folder holds other things, or cannot be written.
         """
         with whole_folder(folder, _objection) as unfinished:
-            (unfinished / "comparison.md").write_text(self.table(), "utf-8")
+            write_text(unfinished / "comparison.md", self.table())
             result = {"program": f"tilewright {__version__}", "methods": self.plain_rows()}
-            (unfinished / _RESULT).write_text(json.dumps(result, indent=1), "utf-8")
+            write_text(unfinished / _RESULT, json.dumps(result, indent=1))
             for page, first in enumerate(range(0, len(self.reports), _ROWS), 1):
                 save_comparison(self.reports[first : first + _ROWS], unfinished / f"sheet-{page}.png")
 

@@ -9,6 +9,7 @@ import numpy as np
 from tilewright.checks import check_type
 from tilewright.errors import TilewrightValueError
 from tilewright.files.atomic import AnyPath, as_path, whole_file
+from tilewright.files.texts import write_text
 
 
 def element(tag: str, *content: str, **attributes: str | float) -> str:
@@ -86,7 +87,7 @@ def save_svg(path: AnyPath, drawing: str) -> Path:
             f"{target} ends in {target.suffix or 'nothing'!r}; expected .svg", value=target
         )
     with whole_file(target) as unfinished:
-        unfinished.write_text(drawing, encoding="utf-8")
+        write_text(unfinished, drawing)
     return target
 
 

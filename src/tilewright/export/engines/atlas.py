@@ -7,6 +7,7 @@ from typing import Any
 from tilewright.export.engines.blender import write_pictures
 from tilewright.export.engines.folder import finish
 from tilewright.export.engines.kit import Kit
+from tilewright.files.texts import write_text
 from tilewright.tilings import packing
 
 
@@ -25,7 +26,7 @@ def write(folder: Path, kit: Kit) -> None:
     if kit.variants > 1:
         found["variants"] = kit.variants
     text = json.dumps(found)
-    (folder / "places.json").write_text(text + "\n", encoding="utf-8")
+    write_text(folder / "places.json", text + "\n")
     finish(
         kit,
         folder,

@@ -9,17 +9,18 @@ from tilewright.export.engines.folder import file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
 from tilewright.files.images import write_image
+from tilewright.files.texts import write_text
 
 
 def write(folder: Path, kit: Kit) -> None:
     """Fill a folder."""
     files = write_pictures(folder, kit)
     shader = fill("blender/tilewright.osl", lookup=kit.lookup("osl", tone=False), **kit.numbers())
-    (folder / "tilewright.osl").write_text(shader, encoding="utf-8")
+    write_text(folder / "tilewright.osl", shader)
     slots, tones = kit.slots, tone_names(kit, files, ".exr")
     if tones:
         tone = fill("blender/tone.osl", lookup=kit.lookup("osl"))
-        (folder / "tone.osl").write_text(tone, encoding="utf-8")
+        write_text(folder / "tone.osl", tone)
     light = [s for s, map in slots.items() if kit.material.kinds[map] == "color"]
     script = fill(
         "blender/material.py.in",
@@ -31,7 +32,7 @@ def write(folder: Path, kit: Kit) -> None:
         toned=bool(tones),
         cut_out=kit.cut_out,
     )
-    (folder / "material.py").write_text(script, encoding="utf-8")
+    write_text(folder / "material.py", script)
     finish(
         kit,
         folder,

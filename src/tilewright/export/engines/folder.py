@@ -1,7 +1,6 @@
 """What the folder of every target has: its files' names, its README, its numbers."""
 
 import json
-import os
 import re
 from collections.abc import Sequence
 from pathlib import Path, PurePath
@@ -12,6 +11,7 @@ import numpy as np
 from tilewright import __version__
 from tilewright.export.engines.kit import Kit
 from tilewright.export.ktx2 import gpu_bytes
+from tilewright.files.texts import write_text
 from tilewright.shaders.lookup import start_states
 from tilewright.signals.textures import TextureTiles
 from tilewright.signals.textures.kinds import is_normal
@@ -60,7 +60,7 @@ def finish(
     """
     tones = tone_names(kit, files, None if mipmaps else ".exr")
     text = _readme(kit, name, checked, [*steps, *_describe_tone(kit, tones)], files, mipmaps, cuts)
-    (folder / "README.md").write_text(text, encoding="utf-8")
+    write_text(folder / "README.md", text)
     _write_facts(kit, folder, files, tones)
 
 
@@ -215,4 +215,4 @@ def _write_facts(kit: Kit, folder: Path, files: dict[str, str], tones: dict[str,
             "texels": kit.tone_grid.texels,
             "start_states": start_states(kit.seed, TONES),
         }
-    (folder / FACTS).write_text(json.dumps(facts, indent=1) + os.linesep, encoding="utf-8")
+    write_text(folder / FACTS, json.dumps(facts, indent=1) + "\n")

@@ -7,6 +7,7 @@ from tilewright.export.engines.folder import finish
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.ktx2 import write_textures
 from tilewright.export.engines.parts import fill
+from tilewright.files.texts import write_text
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -15,10 +16,10 @@ def write(folder: Path, kit: Kit) -> None:
     array = kit.form == "array"
     texture, edge = ("sampler2DArray", "clamp to edge") if array else ("sampler2D", "repeat")
     include = kit.lookup("glsl")
-    (folder / "tilewright.glsl").write_text(include, encoding="utf-8")
+    write_text(folder / "tilewright.glsl", include)
     texts = {"texture": texture, "edge": edge, "include": include}
     example = fill("glsl/example.frag", **texts, **kit.example_tone())
-    (folder / "example.frag").write_text(example, encoding="utf-8")
+    write_text(folder / "example.frag", example)
     webgl.write(folder, kit)
     finish(
         kit,

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tilewright.export.engines.folder import file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit, Levels
 from tilewright.export.engines.parts import fill
+from tilewright.files.texts import write_text
 from tilewright.shaders.lookup import reals
 
 _FORMATS = {
@@ -45,10 +46,10 @@ def write(folder: Path, kit: Kit) -> None:
     values |= {f"{slot}_toned": slot in toned for slot in ("color", "roughness", "emission")}
     values |= {f"{slot}_mean": reals(kit.tone_mean(map)) for slot, map in toned.items()}
     for name in ("tilewright.gdshader", "project.godot", "example.tscn"):
-        (folder / name).write_text(fill(f"godot/{name}", **values), encoding="utf-8")
-    (folder / "tilewright.gdshaderinc").write_text(kit.lookup("godot"), encoding="utf-8")
+        write_text(folder / name, fill(f"godot/{name}", **values))
+    write_text(folder / "tilewright.gdshaderinc", kit.lookup("godot"))
     laid = {slot: tones[map] for slot, map in toned.items()}
-    (folder / "material.tres").write_text(_material(kit, files, laid), encoding="utf-8")
+    write_text(folder / "material.tres", _material(kit, files, laid))
     finish(
         kit,
         folder,
@@ -74,10 +75,8 @@ def _write_texture(path: Path, levels: Levels, array: bool) -> None:
     kind, content = (
         ("Texture2DArray", f"_images = [{named}]") if array else ("ImageTexture", f"image = {named}")
     )
-    path.write_text(
-        f'[gd_resource type="{kind}" load_steps={layers + 1} format=4]\n\n{images}[resource]\n{content}\n',
-        encoding="ascii",
-    )
+    head = f'[gd_resource type="{kind}" load_steps={layers + 1} format=4]'
+    write_text(path, f"{head}\n\n{images}[resource]\n{content}\n")
 
 
 def _image(number: int, levels: list[NDArray[Any]]) -> str:

@@ -6,6 +6,7 @@ from tilewright.export.engines.dds import write_dds
 from tilewright.export.engines.folder import file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
+from tilewright.files.texts import write_text
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -18,10 +19,10 @@ def write(folder: Path, kit: Kit) -> None:
         write_dds(folder / file, kit.tone(map))
     array = kit.form == "array"
     texture, edge = ("Texture2DArray", "CLAMP") if array else ("Texture2D", "WRAP")
-    (folder / "tilewright.hlsl").write_text(kit.lookup("hlsl"), encoding="utf-8")
+    write_text(folder / "tilewright.hlsl", kit.lookup("hlsl"))
     texts = {"texture": texture, "edge": edge}
     example = fill("hlsl/example.hlsl", **texts, **kit.example_tone())
-    (folder / "example.hlsl").write_text(example, encoding="utf-8")
+    write_text(folder / "example.hlsl", example)
     finish(
         kit,
         folder,

@@ -5,6 +5,7 @@ from pathlib import Path
 from tilewright.export.engines.folder import file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit
 from tilewright.export.ktx2 import write_ktx2
+from tilewright.files.texts import write_text
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -15,7 +16,7 @@ def write(folder: Path, kit: Kit) -> None:
         ("wgsl", "tilewright.wgsl"),
         ("hlsl", "tilewright.hlsl"),
     ):
-        (folder / file).write_text(kit.lookup(dialect), encoding="utf-8")
+        write_text(folder / file, kit.lookup(dialect))
     finish(
         kit,
         folder,

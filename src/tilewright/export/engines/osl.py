@@ -10,6 +10,7 @@ from tilewright.export.engines.folder import FACTS, file_names, finish, tone_nam
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
 from tilewright.files.images import NO_DATE, unwritten_error
+from tilewright.files.texts import write_text
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -21,7 +22,7 @@ def write(folder: Path, kit: Kit) -> None:
         write_tx(folder / file, [level[0] for level in kit.tone(map)], wrap="mirror")
     values = kit.numbers() | kit.example_tone() | {"lookup": kit.lookup("osl")}
     shader = fill("osl/tilewright.osl", **values)
-    (folder / "tilewright.osl").write_text(shader, encoding="utf-8")
+    write_text(folder / "tilewright.osl", shader)
     own = f", Tone and Mean its own (means are in {FACTS})" if kit.toned else ""
     finish(
         kit,

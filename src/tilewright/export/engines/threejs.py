@@ -7,6 +7,7 @@ from tilewright.export.engines.folder import finish, tone_names
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.ktx2 import write_textures
 from tilewright.export.engines.parts import fill
+from tilewright.files.texts import write_text
 from tilewright.shaders.lookup import real
 
 _PARTS = ("tilewright.js", "index.html", "package.json")
@@ -27,7 +28,7 @@ def write(folder: Path, kit: Kit) -> None:
     }
     for part in _PARTS:
         text = fill(f"threejs/{part}", **kit.numbers() | values)
-        (folder / part).write_text(text, encoding="utf-8")
+        write_text(folder / part, text)
     finish(
         kit,
         folder,

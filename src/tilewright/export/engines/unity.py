@@ -6,6 +6,7 @@ from tilewright.export.engines.dds import write_dds
 from tilewright.export.engines.folder import file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.parts import fill
+from tilewright.files.texts import write_text
 from tilewright.shaders.lookup import reals
 
 _READS = {
@@ -45,11 +46,11 @@ def write(folder: Path, kit: Kit) -> None:
     listed = ", ".join(f'"{file}"' for file in tones.values())
     texts = {"maps": pairs, "array": array, "tones": listed}
     importer = fill("unity/TilewrightImporter.cs", **texts, toned=bool(tones))
-    (folder / "Editor" / "TilewrightImporter.cs").write_text(importer, encoding="utf-8")
+    write_text(folder / "Editor" / "TilewrightImporter.cs", importer)
     values = kit.numbers() | kit.example_tone() | {"include": kit.lookup("hlsl")}
     include = fill("unity/Tilewright.hlsl", **values)
-    (folder / "Tilewright.hlsl").write_text(include, encoding="utf-8")
-    (folder / "Tilewright.shader").write_text(_shader(kit, used), encoding="utf-8")
+    write_text(folder / "Tilewright.hlsl", include)
+    write_text(folder / "Tilewright.shader", _shader(kit, used))
     finish(
         kit,
         folder,

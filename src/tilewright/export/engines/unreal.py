@@ -9,6 +9,7 @@ from tilewright.export.engines.dds import write_dds
 from tilewright.export.engines.folder import file_names, finish, tone_names
 from tilewright.export.engines.kit import Kit, pad_levels
 from tilewright.export.engines.parts import fill
+from tilewright.files.texts import write_text
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -23,7 +24,7 @@ def write(folder: Path, kit: Kit) -> None:
     for map, file in tones.items():
         write_dds(folder / file, kit.tone(map))
     if tones:
-        (folder / "custom_tone.hlsl").write_text(kit.lookup("unreal tone"), encoding="utf-8")
+        write_text(folder / "custom_tone.hlsl", kit.lookup("unreal tone"))
     slots = kit.slots
     script = fill(
         "unreal/make_material.py.in",
@@ -35,8 +36,8 @@ def write(folder: Path, kit: Kit) -> None:
         toned=bool(tones),
         cut_out=kit.cut_out,
     )
-    (folder / "make_material.py").write_text(script, encoding="utf-8")
-    (folder / "custom_node.hlsl").write_text(kit.lookup("unreal", tone=False), encoding="utf-8")
+    write_text(folder / "make_material.py", script)
+    write_text(folder / "custom_node.hlsl", kit.lookup("unreal", tone=False))
     finish(
         kit,
         folder,

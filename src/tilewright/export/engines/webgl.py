@@ -7,6 +7,7 @@ from pathlib import Path
 
 from tilewright.export.engines.kit import Kit, Levels
 from tilewright.export.engines.parts import fill
+from tilewright.files.texts import write_text
 
 _CHANNELS = {1: ("R", "RED"), 2: ("RG", "RG"), 4: ("RGBA", "RGBA")}
 
@@ -22,8 +23,8 @@ def write(folder: Path, kit: Kit) -> None:
         "edge": "CLAMP_TO_EDGE" if array else "REPEAT",
     }
     page = fill("webgl/index.html", **kit.numbers() | values)
-    (folder / "index.html").write_text(page, encoding="utf-8")
-    with open(folder / "textures.js", "w", encoding="utf-8") as file:
+    write_text(folder / "index.html", page)
+    with open(folder / "textures.js", "w", encoding="utf-8", newline="\n") as file:
         file.writelines(_script(kit))
 
 

@@ -6,6 +6,7 @@ from tilewright.export.engines.folder import finish
 from tilewright.export.engines.kit import Kit
 from tilewright.export.engines.ktx2 import write_textures
 from tilewright.export.engines.parts import fill
+from tilewright.files.texts import write_text
 
 
 def write(folder: Path, kit: Kit) -> None:
@@ -13,10 +14,10 @@ def write(folder: Path, kit: Kit) -> None:
     files = write_textures(folder, kit)
     array = kit.form == "array"
     texture, edge = ("texture_2d_array", "clamp-to-edge") if array else ("texture_2d", "repeat")
-    (folder / "tilewright.wgsl").write_text(kit.lookup("wgsl"), encoding="utf-8")
+    write_text(folder / "tilewright.wgsl", kit.lookup("wgsl"))
     texts = {"texture": texture, "edge": edge}
     example = fill("wgsl/example.wgsl", **texts, **kit.example_tone())
-    (folder / "example.wgsl").write_text(example, encoding="utf-8")
+    write_text(folder / "example.wgsl", example)
     finish(
         kit,
         folder,

@@ -20,6 +20,7 @@ from tilewright.export.viewer.pictures import describe_map, describe_tone
 from tilewright.export.viewer.sets import BAKED_CELLS, describe_set, is_baked
 from tilewright.fields.photos.contenders import SideBySide
 from tilewright.files.atomic import AnyPath, as_path, check_file, whole_file
+from tilewright.files.texts import write_text
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
 
@@ -85,7 +86,7 @@ def save_viewer(
         _check_comparison(compare, material)
     page = _assemble(material, seed, path.stem, compare)
     with whole_file(path) as unfinished:
-        unfinished.write_text(page, encoding="utf-8")
+        write_text(unfinished, page)
 
 
 def check_page(path: AnyPath) -> Path:
