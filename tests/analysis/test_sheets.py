@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import zlib
+from contextlib import suppress
 
 import numpy as np
 import pytest
@@ -29,16 +30,14 @@ def test_a_sheet_has_the_same_bytes_at_any_time(tmp_path, suffix):
 
 
 def plain(data, suffix):
-    """A file; of a PDF its parts, their numbers to six digits, as the last belong to the alignment of arrays."""
+    """A file; of a PDF its parts, with six digits: the last belong to the alignment of arrays."""
     if suffix != "pdf":
         return data
     assert b"CreationDate" not in data
     parts = []
     for body in re.findall(rb"stream\n(.*?)\nendstream", data, re.DOTALL):
-        try:
+        with suppress(zlib.error):
             body = zlib.decompress(body)
-        except zlib.error:
-            pass
         parts.append(re.sub(rb"\d+\.\d{7,}", lambda number: b"%.6f" % float(number[0]), body))
     return parts
 
