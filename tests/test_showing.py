@@ -5,6 +5,7 @@ import inspect
 import io
 import subprocess
 import sys
+import types
 
 import numpy as np
 import pytest
@@ -177,3 +178,39 @@ def test_painters_load_with_the_first_picture(monkeypatch):
     subprocess.run([sys.executable, "-c", code], check=True)
     monkeypatch.setattr(showing, "painter", None)
     assert TILES._repr_png_() is None
+
+
+def test_tiles_are_saved_and_loaded_by_their_own_methods(tmp_path):
+    textures, points = handmade(TILES), point_tiles()
+    textures.save(tmp_path / "t")
+    points.save(tmp_path / "p")
+    assert tw.TextureTiles.load(tmp_path / "t") == textures
+    assert tw.PointTiles.load(tmp_path / "p") == points
+    with pytest.raises(TilewrightError, match="holds PointTiles; TextureTiles were asked for"):
+        tw.TextureTiles.load(tmp_path / "p")
+
+
+def test_things_show_themselves(monkeypatch):
+    shown = []
+    monkeypatch.setattr(Image.Image, "show", lambda image, title: shown.append((image.size, title)))
+    TILES.show()
+    assert shown == [(tw_size(TILES), repr(TILES))]
+    with pytest.raises(TilewrightError, match="has no picture"):
+        tw.corner_cubes(2).show()
+
+
+def tw_size(thing):
+    return Image.open(io.BytesIO(thing._repr_png_())).size
+
+
+def test_notebooks_show_things_below_the_cell(monkeypatch):
+    shown = []
+    shell = types.SimpleNamespace(kernel=object())
+    display = types.ModuleType("IPython.display")
+    display.Image, display.display = (lambda data: data), shown.append
+    ipython = types.ModuleType("IPython")
+    ipython.get_ipython, ipython.display = (lambda: shell), display
+    monkeypatch.setitem(sys.modules, "IPython", ipython)
+    monkeypatch.setitem(sys.modules, "IPython.display", display)
+    TILES.show()
+    assert shown == [TILES._repr_png_()]

@@ -22,3 +22,5 @@ def _paint(thing: Any) -> bytes | None:
 
 
 showing.painter = _paint
+showing.saver = lambda thing, folder: __getattr__("save")(thing, folder)
+showing.loader = lambda folder: __getattr__("load")(folder)

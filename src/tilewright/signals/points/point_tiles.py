@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tilewright.checks import check_int, check_real
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.sameness import Alike
-from tilewright.showing import Shown, describe, many
+from tilewright.showing import Stored, describe, many
 from tilewright.tiles import TileSet
 from tilewright.tiles.tileset import check_tiles
 from tilewright.tiles.variants import NUMBER_BITS, Variants, check_variants, name_variants
@@ -18,7 +18,7 @@ _ONE = np.nextafter(np.float32(1), np.float32(0))
 
 
 @dataclass(frozen=True, eq=False)
-class PointTiles(Alike, Shown):
+class PointTiles(Alike, Stored):
     """Points over a tile set, with one or several variants of each tile.
 
     Attributes

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tilewright.checks import shape_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.sameness import Alike
-from tilewright.showing import Shown, describe, many
+from tilewright.showing import Stored, describe, many
 from tilewright.signals.textures.kinds import guess_kind
 from tilewright.signals.textures.naming import check_map_names
 from tilewright.signals.textures.tone import Tone
@@ -18,7 +18,7 @@ from tilewright.tiles.variants import Variants, check_variants, name_variants
 
 
 @dataclass(frozen=True, eq=False)
-class TextureTiles(Alike, Shown):
+class TextureTiles(Alike, Stored):
     """A texture over a tile set: pictures of H x W pixels, for one or several maps cut alike.
 
     A tile has one picture or several, its variants, of which any may lie anywhere: their borders are the
