@@ -4,20 +4,22 @@ from typing import Any
 
 import numpy as np
 
-from tilewright.checks import check_int
+from tilewright.checks import check_int, type_error
 
 Seed = int | np.random.Generator
 
 
 def check_seed(value: Any) -> int:
-    """A seed of 64 bits."""
+    """A seed of 64 bits; of a generator its next one."""
+    if isinstance(value, np.random.Generator):
+        return int(value.integers(0, 2**64, dtype=np.uint64))
+    if value is None:
+        raise type_error("seed", value, "a whole number or a numpy Generator", "chance is always passed in")
     return check_int("seed", value, 0, 2**64 - 1)
 
 
 def make_key(seed: Seed) -> np.uint64:
     """The key of a kernel's counter-based numbers, from a seed 0 to 2^64 - 1 or a generator."""
-    if isinstance(seed, np.random.Generator):
-        return np.uint64(seed.integers(0, 2**64, dtype=np.uint64))
     return np.uint64(check_seed(seed))
 
 

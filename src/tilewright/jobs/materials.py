@@ -6,6 +6,7 @@ from typing import Any
 from tilewright.checks import check_type
 from tilewright.errors import TilewrightValueError
 from tilewright.jobs.sources import Meaning, Photo, Picture, open_masks, prepare
+from tilewright.seeds import Seed
 from tilewright.signals.textures import Exemplar, TextureTiles
 from tilewright.signals.textures.tone import take_more_tone
 from tilewright.tiles import TileSet, corner_tiles
@@ -171,7 +172,7 @@ def texture_tiles(
     normal: str | None = None,
     flatten: bool = False,
     tile_size: int | str | None = None,
-    seed: int = 0,
+    seed: Seed = 0,
     **options: Any,
 ) -> TextureTiles:
     """Make texture tiles from a photograph, or from a stack of maps.
@@ -203,7 +204,7 @@ def texture_tiles(
     tile_size : int or "auto", optional
         Pixels along a tile, even, 16 to 1,024; by default what suits the photograph. Older methods take 128,
         and with ``"auto"`` a size near it that is a whole number of the photograph's periods.
-    seed : int, optional
+    seed : int or numpy.random.Generator, optional
         The same seed gives the same bytes; 0 to 2^64 - 1, default 0.
     **options : str, bool, dict, int or callable
         ``method``, ``tone``, ``variants``, ``pick``, ``reject``, ``threads`` and ``progress``, as in

@@ -77,7 +77,7 @@ def start_states(seed: int, stream: int = 0) -> tuple[tuple[int, int], ...]:
     ``direct(tiles, seed)`` after all but the low words of y and x, for coordinates within 32 bits; for
     another stream, those of what it draws.
     """
-    check_seed(seed)
+    seed = check_seed(seed)
     hash = MixerHash(seed)
     return tuple(hash.start(x_high, y_high, stream) for y_high in (0, -1) for x_high in (0, -1))
 

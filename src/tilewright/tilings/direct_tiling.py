@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice
 from tilewright.errors import TilewrightValueError
-from tilewright.seeds import check_seed
+from tilewright.seeds import Seed, check_seed
 from tilewright.tiles import CORNER, WANG, TileSet
 from tilewright.tiles.classes import are_by_class
 from tilewright.tiles.tileset import check_tiles
@@ -155,7 +155,7 @@ def _fill_edges(hash: MixerHash, at: Lattice, out: NDArray[np.int32]) -> None:
 
 def direct(
     tiles: TileSet,
-    seed: int = 0,
+    seed: Seed = 0,
     *,
     hash: LatticeHash | str = "mixer",
     period: tuple[int | None, ...] | None = None,
@@ -172,7 +172,7 @@ def direct(
         `shifted_wang_tiles`, `compact_corner_cubes`, `compact_wang_cubes` where C is a power of two,
         corner-coded sets over any of these Wang sets, Cohen's 8 tiles among them, and `crossed_wang_tiles`.
         `scanline` takes other sets.
-    seed : int, optional
+    seed : int or numpy.random.Generator, optional
         0 to 2^64 - 1; default 0. The tile of a cell depends on the cell and the seed only.
     hash : str or LatticeHash, optional
         ``"mixer"``, the default, which has no period; ``"permutation"``; ``"long-period"``; or a hash object,
@@ -214,7 +214,7 @@ def direct(
     True
     """
     check_tiles("tiles", tiles)
-    check_seed(seed)
+    seed = check_seed(seed)
     check_choice("wang", wang, ("edge-hash", "two-hashes"))
     algorithm = recognize(tiles)
     if algorithm is None:

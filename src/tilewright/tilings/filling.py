@@ -79,7 +79,7 @@ def filled_tiling(
     (8, 8)
     """
     check_square(tiles)
-    check_seed(seed)
+    seed = check_seed(seed)
     check_progress(progress)
     shape = (check_int("height", height, 1, _LONGEST), check_int("width", width, 1, _LONGEST))
     if width * height * len(tiles) > _MOST_VARIABLES:

@@ -66,7 +66,7 @@ def periodic_tiling(
     (2, 3)
     """
     check_square(tiles)
-    check_seed(seed)
+    seed = check_seed(seed)
     check_progress(progress)
     check_int("width", width, 1, _LONGEST)
     check_int("height", height, 1, _LONGEST)

@@ -76,7 +76,7 @@ def save_for_engine(material: TextureTiles, folder: AnyPath, to: str, *, seed: i
     """
     check_type("material", material, TextureTiles, "TextureTiles")
     check_choice("to", to, TARGETS)
-    check_seed(seed)
+    seed = check_seed(seed)
     kit = prepare(material, seed, atlas=to in _ATLAS, green="dx" if to in _GREEN_DOWN else "gl")
     write: Callable[[Path, Kit], None] = import_module(f"tilewright.export.engines.{to}").write
     with whole_folder(folder, find_objection) as unfinished:

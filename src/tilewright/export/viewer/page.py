@@ -81,7 +81,7 @@ def save_viewer(
     ['noise.html']
     """
     path = check_page(path)
-    check_seed(seed)
+    seed = check_seed(seed)
     if compare is not None:
         _check_comparison(compare, material)
     page = _assemble(material, seed, path.stem, compare)

@@ -69,7 +69,7 @@ def brick_texture_tiles(
     check_type("style", style, (BrickStyle, type(None)), "a BrickStyle")
     style = replace(style or BrickStyle(), variation=0.0)
     size = check_int("tile_size", tile_size, 32, 1024)
-    check_seed(seed)
+    seed = check_seed(seed)
     places = [place_positions(count, size) for count in tiles.colors[:2]]
     look = style.fit(size, find_thinnest(places, (size, size)))
     painted = []

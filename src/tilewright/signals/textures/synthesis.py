@@ -10,7 +10,7 @@ import numpy as np
 
 from tilewright.checks import check_int, check_type, type_error
 from tilewright.errors import Progress, TilewrightValueError
-from tilewright.seeds import check_seed
+from tilewright.seeds import Seed, check_seed
 from tilewright.signals.textures.character import find_character
 from tilewright.signals.textures.choices import (
     check_choices,
@@ -49,7 +49,7 @@ def synthesize(
     tiles: TileSet | None = None,
     *,
     tile_size: int | str | None = None,
-    seed: int = 0,
+    seed: Seed = 0,
     method: str | None = None,
     tone: bool | None = None,
     variants: int = 1,
@@ -72,7 +72,7 @@ def synthesize(
         an eighth of its shorter side, at least 160 where it has 512, larger for things with outlines, and a
         whole number of courses where it has any; with other methods 128. ``"auto"`` takes for these a
         size near 128 that is a whole number of the exemplar's periods.
-    seed : int, optional
+    seed : int or numpy.random.Generator, optional
         The same seed gives the same bytes, whatever the number of threads; 0 to 2^64 - 1, default 0.
     method : str, optional
         For corner tiles ``"faithful"`` (default where no tiles are given: nested patches that keep step with
@@ -139,7 +139,7 @@ def _synthesize(
     tiles: TileSet | None,
     *,
     tile_size: int | str | None,
-    seed: int,
+    seed: Seed,
     method: str | None,
     tone: bool | None,
     variants: int,
@@ -150,7 +150,7 @@ def _synthesize(
     earlier: Earlier | None = None,
 ) -> TextureTiles:
     """As `synthesize`; of an earlier set only what touches its changed patches is made anew."""
-    check_seed(seed)
+    seed = check_seed(seed)
     workers = os.cpu_count() or 1 if threads is None else check_int("threads", threads, 1, 1024)
     check_type("exemplar", exemplar, Exemplar, "an Exemplar")
     pick, reject = check_choices(pick, reject)

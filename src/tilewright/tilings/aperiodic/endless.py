@@ -68,7 +68,7 @@ def aperiodic_tiling(tiles: TileSet, seed: int = 0) -> Tiling:
     (2, 5)
     """
     check_tiles("tiles", tiles)
-    check_seed(seed)
+    seed = check_seed(seed)
     wanted = _signature(tiles)
     make = next((m for group in (_wang, _named, _translations) if (m := group().get(wanted))), None)
     if make is None:

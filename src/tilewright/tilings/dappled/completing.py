@@ -87,7 +87,7 @@ def complete_dapple(
     ((2, 3), 0, 1)
     """
     conditions = Conditions(limits, tiles)
-    check_seed(seed)
+    seed = check_seed(seed)
     check_progress(progress)
     cells = as_cells("partial", partial, conditions.tiles if tiles is not None else 256, free=True)
     conditions = Conditions(conditions, max(conditions.tiles, int(cells.max()) + 1))

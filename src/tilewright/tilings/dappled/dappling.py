@@ -72,7 +72,7 @@ def dapple(
     [[0, 0, 1, 0], [0, 0, 1, 0]]
     """
     conditions, cells = as_problem(start, limits, tiles)
-    check_seed(seed)
+    seed = check_seed(seed)
     kept = as_fixed(fixed, cells)
     sweeps = not kept.any() and refusal(conditions, (cells.shape[0], cells.shape[1]), cyclic=False) is None
     if sweeps:
