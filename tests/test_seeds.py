@@ -8,7 +8,7 @@ from tilewright.seeds import check_seed
 
 MAKERS = {
     "direct": lambda seed: tw.direct(tw.corner_tiles(3), seed).indices(0, 0, 9, 9),
-    "dapple": lambda seed: tw.dapple(tw.random_start(40, 40, seed=1), {"H0": 2, "V1": 2}, seed=seed),
+    "start": lambda seed: tw.random_start(9, 9, seed=seed),
     "points": lambda seed: tw.sample_points("uniform", 9, seed=seed).points,
     "texture": lambda seed: tw.texture_tiles(PHOTO, tw.corner_tiles(1), tile_size=16, seed=seed).origins,
     "aperiodic": lambda seed: tw.aperiodic_tiling(tw.aperiodic_tiles("ammann-16"), seed).indices(0, 0, 9, 9),
