@@ -18,6 +18,7 @@ from tilewright.cli import (
     dapple,
     export,
     flow,
+    info,
     pack,
     points,
     render,
@@ -72,6 +73,7 @@ for module in (
     flow,
     aperiodic,
     export,
+    info,
     warm,
 ):
     name = module.__name__.rsplit(".", 1)[-1]

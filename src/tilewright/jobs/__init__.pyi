@@ -5,6 +5,7 @@ from .compare import CompareJob as CompareJob
 from .dapple import DappleJob as DappleJob
 from .export import ExportJob as ExportJob
 from .flow import FlowJob as FlowJob
+from .info import InfoJob as InfoJob
 from .job import (
     Done as Done,
     Job as Job,

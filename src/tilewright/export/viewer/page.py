@@ -14,6 +14,7 @@ from tilewright import __version__
 from tilewright.checks import check_type
 from tilewright.errors import TilewrightValueError
 from tilewright.export.display import screen_bytes
+from tilewright.export.notes import note_chance
 from tilewright.export.viewer.compared import describe_comparison, fill_comparison
 from tilewright.export.viewer.parts import fill, part, shader
 from tilewright.export.viewer.pictures import describe_map, describe_tone
@@ -84,6 +85,7 @@ def save_viewer(
     seed = check_seed(seed)
     if compare is not None:
         _check_comparison(compare, material)
+    note_chance(material, "the page")
     page = _assemble(material, seed, path.stem, compare)
     with whole_file(path) as unfinished:
         write_text(unfinished, page)
