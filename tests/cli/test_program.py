@@ -176,6 +176,20 @@ def test_names_beyond_ascii(work):
         (lambda g: tw.resynthesize(None), "material must be TextureTiles"),
         (lambda g: tw.TextureField(None, None), "a field takes TextureTiles"),
         (lambda g: tw.ListedTileSet(tw.corner_tiles(2).shape, [[0] * 4], (10**30,) * 4), "colors is 1000000"),
+        (lambda g: tw.save_viewer("x", "a.html"), "material must be TextureTiles"),
+        (lambda g: tw.make_atlas("x"), "material must be TextureTiles"),
+        (lambda g: tw.save_atlas("x", "a.png"), "material must be TextureTiles"),
+        (lambda g: tw.save_array("x", "a.png"), "material must be TextureTiles"),
+        (lambda g: tw.find_regularity("photo.png"), "pixels must be an array"),
+        (lambda g: tw.find_regularity(g[..., 0]), r"pixels has shape \(200, 200\)"),
+        (lambda g: tw.TextureTiles(1, 2, 3, 4), "tiles must be a TileSet"),
+        (lambda g: tw.TextureTiles(tw.corner_tiles(2), {"a": 1}, (), g), "map 'a' must be an array"),
+        (lambda g: tw.array_tiling(tw.corner_tiles(2), [[0]], torus=np.zeros(3)), "torus must be True or"),
+        (lambda g: tw.dapple(np.zeros((3, 3), int), {"H0": 2}, cyclic=np.zeros(3)), "cyclic must be True or"),
+        (
+            lambda g: tw.texture_tiles(g, tw.corner_tiles(2), tile_size=16, progress=3),
+            "progress must be a func",
+        ),
         (lambda g: tw.ListedTileSet(tw.corner_tiles(2).shape, [[0] * 4], (2, 2, 2, 3)), "need equally many"),
     ],
 )
@@ -183,3 +197,21 @@ def test_wrong_types_get_one_clear_line(gravel, make, message):
     with pytest.raises(tw.TilewrightError, match=message) as error:
         make(gravel[:200, :200])
     assert "\n" not in str(error.value)
+
+
+LOADING = """
+import os, signal, sys, threading
+from tilewright.__main__ import main
+sys.argv = ["tilewright", "pack", "--colors", "4", "-o", sys.argv[2]]
+threading.Timer({delay}, os.kill, (os.getpid(), signal.SIGINT)).start()
+main()
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="needs POSIX signals")
+@pytest.mark.parametrize("delay", [0.02, 0.1, 0.3])
+def test_a_signal_while_the_program_loads_is_one_line(tmp_path, delay):
+    command = [sys.executable, "-c", LOADING.format(delay=delay), "-", str(tmp_path / "p.png")]
+    done = subprocess.run(command, capture_output=True, timeout=60, check=False)
+    assert (done.returncode, done.stderr) == (130, b"tilewright: stopped\n")
+    assert not any(tmp_path.iterdir())

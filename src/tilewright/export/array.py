@@ -4,7 +4,7 @@ import warnings
 
 import numpy as np
 
-from tilewright.checks import check_choice
+from tilewright.checks import check_choice, check_type
 from tilewright.errors import TilewrightWarning
 from tilewright.files.atomic import AnyPath
 from tilewright.files.images import write_image
@@ -42,6 +42,7 @@ def save_array(material: TextureTiles, path: AnyPath, *, map: str | None = None)
     TilewrightWarning
         The map has tone outside the tiles, which is not in the picture.
     """
+    check_type("material", material, TextureTiles, "TextureTiles")
     name = material.main if map is None else check_choice("map", map, tuple(material.maps))
     warn_of_tone(material, name)
     tiles = material.maps[name]

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_choice
+from tilewright.checks import check_choice, check_type
 from tilewright.export.array import warn_of_tone
 from tilewright.files.atomic import AnyPath
 from tilewright.files.images import write_image
@@ -92,6 +92,7 @@ def make_atlas(material: TextureTiles, *, map: str | None = None) -> tuple[NDArr
     >>> picture.shape, packed.size
     ((64, 64, 3), (4, 4))
     """
+    check_type("material", material, TextureTiles, "TextureTiles")
     name = material.main if map is None else check_choice("map", map, tuple(material.maps))
     warn_of_tone(material, name)
     classed = material.tiles.family == "classed"

@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 from tilewright.checks import check_choice
 from tilewright.errors import Progress
 from tilewright.jobs.job import Done, Rule, WritingJob
+from tilewright.jobs.notes import note_chance
 
 _PICTURES = (".png", ".tif", ".tiff", ".exr", ".jpg", ".jpeg", ".bmp", ".tga", ".webp")
 
@@ -72,7 +73,9 @@ class ExportJob(WritingJob):
             figures: dict[str, Any] = {"file": str(self.target), "bytes": self.target.stat().st_size}
             return Done((self.target,), figures, str(self.target))
         check_choice("to", self.to, TARGETS)
-        save_for_engine(load_texture(self.folder), self.target, self.to, seed=self.lattice_seed)
+        material = load_texture(self.folder)
+        note_chance(material, "engines")
+        save_for_engine(material, self.target, self.to, seed=self.lattice_seed)
         files = tuple(path for path in self.target.rglob("*") if path.is_file())
         size = sum(path.stat().st_size for path in files)
         figures = {"folder": str(self.target), "files": len(files), "bytes": size}

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from tilewright.errors import Progress
 from tilewright.jobs.job import Done, WritingJob
+from tilewright.jobs.notes import note_chance
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -49,6 +50,7 @@ class ViewJob(WritingJob):
 
         check_page(self.target)
         material = load_texture(self.folder)
+        note_chance(material, "the page")
         compared = None
         if self.compare:
             compared = compare_textures(material, seed=self.lattice_seed, progress=progress)

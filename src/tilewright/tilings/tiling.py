@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_integers
+from tilewright.checks import as_integers, check_flag
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.showing import Shown, describe
 from tilewright.tiles import TileSet
@@ -203,6 +203,7 @@ class ArrayTiling(Tiling):
         self.cells.setflags(write=False)
         extent = tuple(reversed(cells.shape))
         none = (None,) * cells.ndim
+        check_flag("torus", torus)
         self.domain = Domain(extent, none) if torus else Domain(none, tuple((0, n) for n in extent))
         fault = first_mismatch(tiles, self.cells, torus=torus)
         if fault is not None:

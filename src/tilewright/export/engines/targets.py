@@ -7,7 +7,6 @@ from pathlib import Path
 from tilewright.checks import check_choice, check_type
 from tilewright.export.engines.folder import find_objection
 from tilewright.export.engines.kit import Kit, prepare
-from tilewright.export.notes import note_chance
 from tilewright.files.atomic import AnyPath, whole_folder
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
@@ -78,7 +77,6 @@ def save_for_engine(material: TextureTiles, folder: AnyPath, to: str, *, seed: i
     check_type("material", material, TextureTiles, "TextureTiles")
     check_choice("to", to, TARGETS)
     seed = check_seed(seed)
-    note_chance(material, "engines")
     kit = prepare(material, seed, atlas=to in _ATLAS, green="dx" if to in _GREEN_DOWN else "gl")
     write: Callable[[Path, Kit], None] = import_module(f"tilewright.export.engines.{to}").write
     with whole_folder(folder, find_objection) as unfinished:

@@ -14,7 +14,6 @@ from tilewright import __version__
 from tilewright.checks import check_type
 from tilewright.errors import TilewrightValueError
 from tilewright.export.display import screen_bytes
-from tilewright.export.notes import note_chance
 from tilewright.export.viewer.compared import describe_comparison, fill_comparison
 from tilewright.export.viewer.parts import fill, part, shader
 from tilewright.export.viewer.pictures import describe_map, describe_tone
@@ -82,10 +81,10 @@ def save_viewer(
     ['noise.html']
     """
     path = check_page(path)
+    check_type("material", material, TextureTiles, "TextureTiles")
     seed = check_seed(seed)
     if compare is not None:
         _check_comparison(compare, material)
-    note_chance(material, "the page")
     page = _assemble(material, seed, path.stem, compare)
     with whole_file(path) as unfinished:
         write_text(unfinished, page)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_type
+from tilewright.checks import check_progress, check_type
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields.photos.methods import HexField, NoiseField, PhotoField, RepeatField
 from tilewright.fields.plane import PixelField
@@ -121,6 +121,7 @@ def side_by_side(material: TextureTiles, *, seed: int = 0, progress: Progress | 
     (30, 40, 3)
     """
     check_type("material", material, TextureTiles, "TextureTiles")
+    check_progress(progress)
     if len(material.sources) != 1:
         raise TilewrightValueError(
             f"was made from {len(material.sources)} photographs; a comparison takes one", argument="material"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_int, check_out, check_real
+from tilewright.checks import check_flag, check_int, check_out, check_real
 from tilewright.errors import TilewrightValueError
 from tilewright.showing import Shown, describe, many
 from tilewright.tabling import Tabled
@@ -177,6 +177,7 @@ class Window:
 
     def origin(self, local: bool, kinds: tuple[np.dtype[Any], ...], spacing: float) -> tuple[float, float]:
         """Coordinates of the first cell's corner, if points there can be told apart in all ``kinds``."""
+        check_flag("local", local)
         x, y = (-self.corner[0], -self.corner[1]) if local else (float(self.column), float(self.row))
         farthest = max(abs(x), abs(y), abs(x + self.columns), abs(y + self.rows))
         for kind in kinds:

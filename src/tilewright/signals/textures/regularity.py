@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from scipy.fft import irfft2, next_fast_len, rfft2
 from scipy.ndimage import gaussian_filter, maximum_filter
 
+from tilewright.checks import check_type, shape_error
+
 PERIODIC = 0.5
 """Autocorrelation from which an exemplar counts as periodic."""
 CLONED = 0.55
@@ -61,6 +63,9 @@ def find_regularity(pixels: NDArray[Any]) -> Regularity:
     >>> tw.find_regularity(checks).clone is None
     True
     """
+    check_type("pixels", pixels, np.ndarray, "an array")
+    if pixels.ndim != 3 or 0 in pixels.shape:
+        raise shape_error("pixels", pixels.shape, "(height, width, channels), none of them 0")
     step = -(-max(pixels.shape[:2]) // _LARGEST_SIDE)
     gray = pixels[::step, ::step].astype(np.float32).mean(axis=2)
     gray -= gaussian_filter(gray, min(gray.shape) / 8)

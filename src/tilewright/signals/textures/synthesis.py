@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tilewright.checks import check_int, check_type, type_error
+from tilewright.checks import check_int, check_progress, check_type, type_error
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.seeds import Seed, check_seed
 from tilewright.signals.textures.character import find_character
@@ -153,6 +153,7 @@ def _synthesize(
     seed = check_seed(seed)
     workers = os.cpu_count() or 1 if threads is None else check_int("threads", threads, 1, 1024)
     check_type("exemplar", exemplar, Exemplar, "an Exemplar")
+    check_progress(progress)
     pick, reject = check_choices(pick, reject)
     method = check_method(method, tiles, variants)
     check_size(tile_size)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import shape_error
+from tilewright.checks import check_type, shape_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.sameness import Alike
 from tilewright.showing import Stored, describe, many
@@ -14,6 +14,7 @@ from tilewright.signals.textures.kinds import guess_kind
 from tilewright.signals.textures.naming import check_map_names
 from tilewright.signals.textures.tone import Tone
 from tilewright.tiles import TileSet
+from tilewright.tiles.tileset import check_tiles
 from tilewright.tiles.variants import Variants, check_variants, name_variants
 
 
@@ -71,6 +72,10 @@ class TextureTiles(Alike, Stored):
     tone: Tone | None = None
 
     def __post_init__(self) -> None:
+        check_tiles("tiles", self.tiles)
+        check_type("maps", self.maps, dict, "a dict of arrays")
+        for name, pixels in {**self.maps, "origins": self.origins}.items():
+            check_type(f"map {name!r}" if name in self.maps else name, pixels, np.ndarray, "an array")
         if not self.maps:
             raise TilewrightValueError("is empty; a material needs at least one map", argument="maps")
         check_map_names(self.maps)

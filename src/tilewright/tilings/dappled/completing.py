@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import check_int, check_progress, shape_error, type_error
+from tilewright.checks import check_flag, check_int, check_progress, shape_error, type_error
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.seeds import check_seed
 from tilewright.tilings.clauses import Clauses, need_solver
@@ -86,6 +86,7 @@ def complete_dapple(
     >>> full.shape, int(full[0, 0]), int(full[1, 1])
     ((2, 3), 0, 1)
     """
+    check_flag("cyclic", cyclic)
     conditions = Conditions(limits, tiles)
     seed = check_seed(seed)
     check_progress(progress)

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.checks import (
     as_array,
     as_integers,
+    check_flag,
     check_function_of_place,
     check_int,
     check_type,
@@ -276,6 +277,7 @@ def find_violations(
     [[False, False, True, False]]
     """
     conditions = Conditions(limits, tiles)
+    check_flag("cyclic", cyclic)
     cells = as_cells("tiling", tiling, conditions.tiles)
     found: dict[str, NDArray[np.bool_]] = {}
     for limit in conditions.limits:

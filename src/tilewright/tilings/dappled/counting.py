@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from tilewright.checks import check_int, check_progress
+from tilewright.checks import check_flag, check_int, check_progress
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.tilings.dappled.conditions import NEVER, Conditions, Most, as_mapping
 
@@ -77,6 +77,7 @@ def count_dappled(
     check_progress(progress)
     check_int("width", width, 1, _MOST_SIDE)
     check_int("height", height, 1, _MOST_SIDE)
+    check_flag("cyclic", cyclic)
     conditions = Conditions(limits, tiles)
     wanted = dict(sorted(as_mapping("totals", totals).items()))
     for tile, count in wanted.items():

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tilewright.checks import as_array, shape_error
+from tilewright.checks import as_array, check_flag, shape_error
 from tilewright.errors import TilewrightTypeError
 from tilewright.seeds import check_seed
 from tilewright.tilings.dappled.completing import mend
@@ -71,6 +71,7 @@ def dapple(
     >>> tw.dapple([[0, 0, 0, 0], [0, 0, 0, 0]], {"H0": 2, "V1": 2}).tolist()
     [[0, 0, 1, 0], [0, 0, 1, 0]]
     """
+    check_flag("cyclic", cyclic)
     conditions, cells = as_problem(start, limits, tiles)
     seed = check_seed(seed)
     kept = as_fixed(fixed, cells)

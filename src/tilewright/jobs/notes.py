@@ -1,12 +1,15 @@
 """What an output does not do that its material may have been made for, said once."""
 
 import warnings
+from typing import TYPE_CHECKING
 
 from tilewright.errors import TilewrightWarning
-from tilewright.signals.textures import TextureTiles
+
+if TYPE_CHECKING:
+    from tilewright.signals.textures import TextureTiles
 
 
-def note_chance(material: TextureTiles, where: str) -> None:
+def note_chance(material: "TextureTiles", where: str) -> None:
     """Say that two photographs lie by chance where nothing steers them."""
     if len(material.sources) > 1:
         warnings.warn(
