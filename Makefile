@@ -3,7 +3,7 @@
 PYTHON ?= python3
 PHOTO ?=
 PHOTOS ?=
-VENV := .venv
+VENV ?= .venv
 BIN := $(VENV)/bin
 OUT ?= out
 UPDATE ?=

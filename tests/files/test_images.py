@@ -249,6 +249,6 @@ def test_output_names_that_are_no_files(tmp_path):
     tw.write_image(tmp_path / "link.png", pixels(np.uint8, 3))
     assert (tmp_path / "link.png").is_symlink()
     assert (tmp_path / "real" / "a.png").is_file()
-    for path, message in ((tmp_path / "real", "has no suffix"), (tmp_path / "a\0.png", "null byte")):
+    for path, message in ((tmp_path / "real", "has no suffix"), (tmp_path / "a\0.png", "embedded null")):
         with pytest.raises(TilewrightError, match=message):
             tw.write_image(path, pixels(np.uint8, 3))

@@ -48,7 +48,7 @@ def _explained(path: Path) -> Iterator[None]:
         reason = (error.strerror or str(error)).lower()
         raise TilewrightFileError(f"{path} could not be written: {reason}", value=path) from None
     except ValueError as error:
-        if "null byte" not in str(error):
+        if "embedded null" not in str(error):  # called a byte or a character
             raise
         raise TilewrightFileError(f"{str(path)!r} could not be written: {error}", value=path) from None
 
