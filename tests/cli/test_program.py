@@ -52,6 +52,7 @@ REFUSED = {
     "early": (("texture", "g.png", "-o", "g.png", "--tile-size", 512), "g.png is a file"),
     "not UTF-8": (("texture", os.fsdecode(b"b\xff.png"), "-o", "t"), "not a name in UTF-8"),
     "no rows": (("texture", "short.png", "-o", "t"), "short.png is truncated or damaged"),
+    "escapes": (("texture", "\x1b[31mred.png", "-o", "t"), "\\x1b[31mred.png does not exist"),
 }  # fmt: skip
 
 

@@ -58,13 +58,18 @@ def perform(name: str, options: Mapping[str, Any]) -> None:
     else:
         with progress_shown(options["quiet"]) as progress:
             done = job.run(progress)
-    print(json.dumps(_finite(done.figures)) if options["json"] else done.sentence)
+    print(json.dumps(_finite(done.figures)) if options["json"] else visible(done.sentence))
 
 
 def say(message: str) -> None:
     """Print a line of this program on stderr, where there is one."""
     if sys.stderr is not None:
-        print(f"tilewright: {' '.join(message.split())}", file=sys.stderr, flush=True)
+        print(f"tilewright: {visible(' '.join(message.split()))}", file=sys.stderr, flush=True)
+
+
+def visible(text: str) -> str:
+    """A text in which nothing steers a terminal, as names of files may; lines stay."""
+    return "".join(c if c.isprintable() or c == "\n" else repr(c)[1:-1] for c in text)
 
 
 def silence() -> None:
