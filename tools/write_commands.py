@@ -24,18 +24,18 @@ PAIRS = {"--y": "--x", "--height": "--width"}
 """Options that stand below another one, even where no example has them."""
 TAKES = {Path: "path", int: "whole number", float: "number", str: "text"}
 CHAPTERS = {
-    "texture": ("textures", "materials", "tileset-folder"),
-    "render": ("tilings", "textures"),
-    "view": ("viewer", "gallery"),
-    "points": ("points", "samplers"),
+    "texture": ("textures", "materials", "tileset-folder", "tutorials/textures"),
+    "render": ("tilings", "textures", "tutorials/textures"),
+    "view": ("viewer", "gallery", "tutorials/textures"),
+    "points": ("points", "samplers", "tutorials/sampling"),
     "analyze": ("analysis", "point-analysis"),
     "compare": ("comparison", "point-analysis"),
-    "pack": ("packing",),
-    "dapple": ("dappled",),
-    "bricks": ("bricks",),
+    "pack": ("packing", "tutorials/makers"),
+    "dapple": ("dappled", "tutorials/makers"),
+    "bricks": ("bricks", "tutorials/makers"),
     "flow": ("flow", "dappled"),
-    "aperiodic": ("aperiodic",),
-    "export": ("engines", "gpu"),
+    "aperiodic": ("aperiodic", "tutorials/makers"),
+    "export": ("engines", "gpu", "tutorials/game-engine"),
     "warm": ("jobs",),
 }
 """The pages that tell more of each command."""
