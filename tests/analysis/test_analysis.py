@@ -8,8 +8,9 @@ import pytest
 import tilewright as tw
 from handmade import handmade
 from tilewright.analysis import lay_sample
+from tilewright.analysis.textures.meanings import ANY, MEANING
 from tilewright.analysis.textures.repetition import lattice_share, same_place_share, tile_lag_autocorrelation
-from tilewright.analysis.textures.report import MEANING, Report
+from tilewright.analysis.textures.report import Report
 from tilewright.analysis.textures.sample import Sample
 from tilewright.analysis.textures.seams import (
     cut_color_ratio,
@@ -98,6 +99,26 @@ def test_outlines_and_courses_are_not_objected_to(noise, treatment, figure):
     report = Report({figure: 1.5}, Sample(material, np.zeros((4, 4), np.int32)))
     assert len(report.objections) == (not fine)
     assert (f"over {MEANING[figure].limits[1]:g}" in str(report)) == (not fine)
+
+
+def test_a_report_says_what_to_change(noise):
+    """In sentences, each once; every figure has its unit, and an objection goes with advice."""
+    sample = Sample(crops(noise, 32, 4), np.zeros((4, 4), np.int32))
+    report = Report(
+        {"used_share": 0.04, "lattice_share": 0.3, "recurrence": 4.0, "mean_difference": 0.5}, sample
+    )
+    assert report.verdict == [
+        "To object to: only 4.0% of the photograph is shown; every tile has its light and dark at the same "
+        "places; a piece of the plane is seen 4.0 times on the photograph's area.",
+        "To change: larger tiles, more colors or more variants, or a smaller cut of the photograph; "
+        "more colors or more variants.",
+    ]
+    assert str(report).splitlines()[-2:] == report.verdict
+    assert "0.040 share  below 0.1" in str(report)
+    assert "0.500 dE " in str(report)
+    assert Report({"used_share": 0.4}, sample).verdict[0].startswith("No figure is beyond its limit")
+    assert all(bool(meaning.objection) == bool(meaning.advice) for meaning in MEANING.values())
+    assert all(meaning.objection for meaning in MEANING.values() if meaning.limits != ANY)
 
 
 def test_wrong_neighbors_are_told(gravel):

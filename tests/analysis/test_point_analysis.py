@@ -5,10 +5,12 @@ from math import pi, sqrt
 import numpy as np
 import pytest
 
+import tilewright as tw
 from pointsets import PLAIN, hexagons, square_grid, white
+from tilewright.analysis.points.laid_tiles import lay_square
+from tilewright.analysis.points.meanings import POINT_MEANING, POINT_UNITS
 from tilewright.analysis.points.plates import zone_plate
 from tilewright.analysis.points.report import (
-    POINT_MEANING,
     PointReport,
     analyze_points,
     comparison_sheet,
@@ -138,6 +140,56 @@ def test_a_report_has_every_figure(dart_report):
     without = analyze_points(white(200))
     assert list(without.figures) == [n for n in dart_report.figures if "zone_plate" not in n]
     assert without.name == "given"
+
+
+def test_every_figure_of_points_has_a_unit(dart_report):
+    assert POINT_UNITS.keys() == POINT_MEANING.keys()
+    assert all(POINT_UNITS.values())
+    assert " 0.7 2 r_max  least distance" in str(dart_report)
+
+
+def judged(method, count=1500, sets=1, **settings):
+    return analyze_points([tw.sample_points(method, count, seed=k, **settings) for k in range(sets)])
+
+
+@pytest.mark.parametrize("box", [tw.Box(), tw.Box((4.0, 1.0), torus=False)], ids=["torus", "thin"])
+@pytest.mark.parametrize(("method", "rho"), [("dart", 0.7), ("maximal", None)])
+def test_good_blue_noise_is_told(method, rho, box):
+    (said,) = judged(method, rho=rho, box=box).verdict
+    assert said.startswith("Good blue noise: least distance 0.7")
+    assert ("no room for another point" in said) == (method == "maximal")
+
+
+@pytest.mark.parametrize(
+    ("method", "settings", "objections"),
+    [
+        ("uniform", {}, ["points clump", "holes", "low frequencies are noisy"]),
+        ("jittered", {"sets": 4}, ["points clump", "low frequencies are noisy"]),
+        ("regular", {"count": 2500}, ["as on a lattice", "swings", "a lattice shows"]),
+        ("lloyd", {"iterations": 8}, ["swings by 2."]),
+        ("sobol", {"count": 1000, "sets": 10}, ["points clump", "directions"]),
+    ],
+)
+def test_what_to_object_to_and_what_to_change(method, settings, objections):
+    report = judged(method, **settings)
+    first, objected, change = report.verdict
+    assert first == ("Blue noise, with faults." if method == "lloyd" else "Not good blue noise.")
+    assert objected.startswith("To object to: ")
+    assert all(words in objected for words in objections)
+    assert change.startswith("To change: ")
+    assert all(sentence in str(report) for sentence in report.verdict)
+
+
+def test_a_spectrum_of_few_points_is_not_judged():
+    assert judged("dart", 300, rho=0.7).verdict[0].endswith("of fewer than 1,000 points is not judged.")
+    assert "directions" not in " ".join(judged("regular", 400).verdict)
+
+
+def test_a_lattice_of_tiles_is_told_with_what_changes_it():
+    tiles = tw.make_point_tiles("template", seed=1, points=16, rho=0.7, variants=4)
+    report = analyze_points([lay_square(tiles, 2000, seed) for seed in range(3)])
+    assert report.verdict[1].count("the lattice of tiles shows: a frequency of") == 1
+    assert "more colors or more points per tile" in report.verdict[2]
 
 
 @pytest.mark.parametrize("suffix", ["png", "pdf"])

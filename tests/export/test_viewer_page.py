@@ -12,6 +12,7 @@ from handmade import handmade, of_numbers, under_clouds
 from tilewright.analysis import compare_textures
 from tilewright.errors import TilewrightError
 from tilewright.fields.photos.contenders import side_by_side
+from tilewright.signals.textures.patch_names import PatchNames
 
 READ = """() => {
   const p = tilewright.pixels();
@@ -240,6 +241,86 @@ def test_pan_zoom_and_tilt(open_page):
     assert not np.array_equal(read(page), flat)
     page.click("#reset")
     assert view(page)["tilt"] == 0
+
+
+NAMED = {
+    "corner": (tw.corner_tiles(2), {"method": "nested"}),
+    "variants": (tw.corner_tiles(2), {"method": "ng", "variants": 2}),
+    "wang": (tw.wang_tiles(2), {}),
+    "squares": (tw.corner_tiles(2), {"method": "squares"}),
+    "stored": (tw.cohen_tiles(8), {}),
+    "default": (None, {}),
+}
+
+
+def name_at(field, x, y):
+    """What the readout says of a pixel of the plane: the tile, and the patch in the middle of the square."""
+    material, size = field.material, field.material.tile_size
+    placed = field.tiling.placements(x // size, y // size, 1, 1, variants=material.variants)
+    tile, variant = int(placed.indices[0, 0]), int(placed.variants[0, 0])
+    index, names = PatchNames(material).of_picture(int(material.variants.starts[tile]) + variant)
+    number = index[y % size // 4 * 4 + 2, x % size // 4 * 4 + 2]
+    told = f"tile {tile}" + (f", variant {variant}" if len(material.variants) > len(material.tiles) else "")
+    return told + (f": {names[number]}" if number >= 0 else "")
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_the_readout_names_tile_and_patch_under_the_pointer(open_page, gravel, name):
+    """As Python does, near and far, panned and tilted; the middle of the view where there is no pointer."""
+    tiles, options = NAMED[name]
+    material = tw.texture_tiles(gravel[:200, :200], tiles, tile_size=32, seed=1, **options)
+    page = open_page(material, seed=7, width=800, height=500)
+    field = tw.TextureField(material, tw.stochastic(material.tiles, 256, 256, 7))
+    seen = set()
+    for pixels, tilt, cell in ((32, 0, (3, 5)), (128, 0, (20, 30)), (96, 0.6, (7, 9)), (32, 0, (200, 180))):
+        view(page, cellX=str(cell[0]), cellY=str(cell[1]), pixelsPerTile=pixels, tilt=tilt)
+        for at in ((40, 60), (333, 222), (120, 410), (601, 345)):
+            page.mouse.move(*at)
+            place = page.evaluate("([x, y]) => tilewright.locate(x, y)", at)
+            x, y = (int(place[f"cell{a}"]) * 32 + int(place[f"texel{a}"]) for a in "XY")
+            told = page.inner_text("#tile")
+            assert told == name_at(field, x, y)
+            seen.add(told.partition(": ")[2])
+            if not tilt and pixels == 32:
+                corner = origin(view(page), 32)
+                assert (x, y) == (corner[0] + at[0], corner[1] + at[1])
+    assert len(seen - {""}) > (1 if name == "squares" else 3)  # which has no others
+    assert seen - {""} <= material.recipe["patches"].keys()
+
+
+def test_a_patch_is_named_to_the_squares_that_are_told(open_page, gravel):
+    material = tw.texture_tiles(gravel[:200, :200], tw.corner_tiles(2), tile_size=64, seed=1)
+    page = open_page(material, seed=7)
+    tile = page.evaluate("tilewright.tileAt(5, 6)")
+    told = page.evaluate(
+        "[...Array(4096).keys()].map((n) => tilewright.patchAt(5, 6, n % 64, Math.floor(n / 64)))"
+    )
+    index, names = PatchNames(material).of_picture(tile)
+    exact = [names[number] if number >= 0 else "" for number in index.ravel()]
+    assert np.mean(np.array(told) == np.array(exact)) > 0.9
+    assert page.evaluate("tilewright.patchAt(5, 6, 32, 32)") == f"center:{tile}"
+
+
+def test_what_the_pointer_is_on_is_announced_when_it_stays(open_page, gravel):
+    material = tw.texture_tiles(gravel[:200, :200], tw.corner_tiles(2), tile_size=32, seed=1)
+    page = open_page(material, seed=7, width=400, height=300)
+    page.wait_for_timeout(900)
+    assert page.inner_text("#told") == ""  # nobody is on the plane
+    page.focus("#plane")
+    for key in ("ArrowRight", "ArrowDown", "ArrowRight"):
+        page.keyboard.press(key)
+        assert page.text_content("#told") == ""
+    wait_until(page, lambda: page.text_content("#told"))
+    assert page.text_content("#told") == f"{page.inner_text('#cell')}, {page.inner_text('#tile')}"
+    assert page.get_attribute("#told", "role") == "status"
+
+
+def test_names_of_patches_add_little(tmp_path, gravel):
+    material = tw.texture_tiles(gravel[:200, :200], tw.corner_tiles(2), tile_size=64, seed=1)
+    tw.save_viewer(material, tmp_path / "a.html")
+    tw.save_viewer(dataclasses.replace(material, recipe={}), tmp_path / "b.html")
+    with_names, without = ((tmp_path / name).stat().st_size for name in ("a.html", "b.html"))
+    assert 1 < with_names / without < 1.03
 
 
 @pytest.mark.parametrize("shrink", [2, 16])

@@ -3,6 +3,7 @@
 import copy
 import inspect
 import pickle
+import re
 from dataclasses import FrozenInstanceError, fields
 from pathlib import Path
 
@@ -136,3 +137,18 @@ def test_a_flow_is_saved_with_its_tiles(tmp_path):
     assert flow.figures["alive"] == 3
     with pytest.raises(TilewrightError, match="flow must be a Flow, not int"):
         tw.save_flow(tmp_path / "g.npz", 3)
+
+
+def test_points_are_told_with_their_unit(tmp_path):
+    """Distances of tiles are in tiles, those of a method without in the box."""
+    of_tiles = jobs.PointsJob(output=tmp_path / "a.npy", width=4, height=4).run().sentence
+    assert re.search(r"none closer than [0-9.]+ tiles, in ", of_tiles)
+    sampled = jobs.PointsJob(output=tmp_path / "b.npy", method="dart", count=50).run().sentence
+    assert re.search(r"none closer than [0-9.]+, in ", sampled)
+
+
+def test_the_verdict_is_among_the_figures_of_an_analysis(tmp_path):
+    jobs.PointsJob(output=tmp_path / "a.npz", method="dart", count=50, torus=True).run()
+    done = jobs.AnalyzeJob(source=tmp_path / "a.npz").run()
+    assert done.figures["verdict"][0].startswith("Good blue noise")
+    assert done.figures["verdict"][0] in done.sentence

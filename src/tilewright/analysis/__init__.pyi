@@ -16,6 +16,10 @@ from .points.laid_tiles import (
     analyze_point_tiles as analyze_point_tiles,
     lay_square as lay_square,
 )
+from .points.meanings import (
+    POINT_MEANING as POINT_MEANING,
+    POINT_UNITS as POINT_UNITS,
+)
 from .points.plates import (
     ZonePlate as ZonePlate,
     zone_plate as zone_plate,
@@ -25,7 +29,6 @@ from .points.plots import (
     plot_points as plot_points,
 )
 from .points.report import (
-    POINT_MEANING as POINT_MEANING,
     PointReport as PointReport,
     analyze_points as analyze_points,
     comparison_sheet as comparison_sheet,
@@ -51,8 +54,10 @@ from .textures.comparison import (
     METHOD_MEANING as METHOD_MEANING,
     compare_textures as compare_textures,
 )
-from .textures.report import (
+from .textures.meanings import (
     MEANING as MEANING,
+)
+from .textures.report import (
     Report as Report,
     analyze_texture as analyze_texture,
 )

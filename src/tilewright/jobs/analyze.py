@@ -60,7 +60,8 @@ class AnalyzeJob(WritingJob):
             found.save_sheet(self.output)
         files = () if self.output is None else (self.output,)
         where, words = _told_box(material)
-        return Done(files, {**found.figures, **where}, f"{words}{found}")
+        figures = {**found.figures, **where, "verdict": found.verdict}
+        return Done(files, figures, f"{words}{found}")
 
     def _open(self) -> Any:
         from tilewright.files import load

@@ -59,5 +59,5 @@ class CompareJob(WritingJob):
             found.save(self.output)
         seconds = round(clock.seconds, 1)
         files = () if self.output is None else (self.output,)
-        figures = {"methods": found.plain_rows(), "seconds": seconds}
+        figures = {"methods": found.plain_rows(), "verdict": found.verdict, "seconds": seconds}
         return Done(files, figures, f"{found.table()}\n{seconds} s")

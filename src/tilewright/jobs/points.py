@@ -132,7 +132,8 @@ class PointsJob(WritingJob):
         figures = {
             "file": str(self.target), "count": total, "distance": about.distance, "seconds": round(seconds, 3)
         }  # fmt: skip
-        words = f"{self.target}: {total:,} points, none closer than {about.distance:.5g}, in {seconds:.2f} s"
+        apart = f"{about.distance:.5g}" + ("" if self._is_sampled() else " tiles")
+        words = f"{self.target}: {total:,} points, none closer than {apart}, in {seconds:.2f} s"
         files = (self.target,) if self.save is None else (self.target, self.save)
         return Done(files, figures, words)
 

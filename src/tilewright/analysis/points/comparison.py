@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from tilewright import __version__
+from tilewright.analysis.points.columns import COLUMNS, explain_columns, find_best, judge_methods
 from tilewright.analysis.points.contenders import Contender, Make, list_contenders
 from tilewright.analysis.points.laid_tiles import PLATE_POINTS, SPECTRUM_POINTS
 from tilewright.analysis.points.report import PointReport, analyze_points, save_comparison
@@ -26,23 +27,6 @@ _SHARE = 12.0
 _ROWS = 6
 """Methods on one picture."""
 _RESULT = "comparison.json"
-
-_COLUMNS = {
-    "method": "method",
-    "count": "points",
-    "milliseconds": "ms",
-    "construction_seconds": "built, s",
-    "rho": "rho",
-    "coverage": "coverage",
-    "radial_peak": "peak",
-    "largest_bin": "largest bin",
-    "anisotropy_max": "anisotropy, max dB",
-    "anisotropy_median": "median dB",
-    "effective_nyquist": "nu_eff",
-    "oscillation": "Omega",
-    "zone_plate_near": "plate, near",
-    "zone_plate_error": "plate, all",
-}
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,21 +49,32 @@ class Comparison:
     __repr__ = describe_record
 
     def table(self) -> str:
-        """Write a Markdown table of all that ran, and a line for each that did not.
+        """Write a Markdown table of all that ran, and a line for each that did not; then what they say.
+
+        The best of each column among blue noise is bold. Below stand the verdict and the meaning of the
+        columns.
 
         Returns
         -------
         str
             The text, with a line for each method.
         """
-        lines = ["| " + " | ".join(_COLUMNS.values()) + " |", "|---" * len(_COLUMNS) + "|"]
+        best = find_best(self.rows)
+        lines = ["| " + " | ".join(c.head for c in COLUMNS) + " |", "|---" * len(COLUMNS) + "|"]
         lines += [
-            "| " + " | ".join(_cell(row.get(key)) for key in _COLUMNS) + " |"
+            "| " + " | ".join(_cell(row.get(c.key), best.get(c.key)) for c in COLUMNS) + " |"
             for row in self.rows
             if "not_run" not in row
         ]
         left_out = [f"- {row['method']}: not run, {row['not_run']}" for row in self.rows if "not_run" in row]
-        return "\n".join([*lines, "", *left_out] if left_out else lines) + "\n"
+        said = [f"- {sentence}" for sentence in self.verdict]
+        parts = (lines, left_out, said, [explain_columns()])
+        return "\n\n".join("\n".join(part) for part in parts if part) + "\n"
+
+    @property
+    def verdict(self) -> list[str]:
+        """Which method is best for what: a sentence for each purpose."""
+        return judge_methods(self.rows)
 
     def plain_rows(self) -> list[dict[str, Any]]:
         """Give `rows` in plain JSON values.
@@ -111,7 +106,11 @@ class Comparison:
         """
         with whole_folder(folder, _objection) as unfinished:
             write_text(unfinished / "comparison.md", self.table())
-            result = {"program": f"tilewright {__version__}", "methods": self.plain_rows()}
+            result = {
+                "program": f"tilewright {__version__}",
+                "verdict": self.verdict,
+                "methods": self.plain_rows(),
+            }
             write_text(unfinished / _RESULT, json.dumps(result, indent=1))
             for page, first in enumerate(range(0, len(self.reports), _ROWS), 1):
                 save_comparison(self.reports[first : first + _ROWS], unfinished / f"sheet-{page}.png")
@@ -242,9 +241,10 @@ def _objection(folder: Path) -> str:
     return "" if _RESULT in names and names <= ours else "holds other things than a comparison"
 
 
-def _cell(value: Any) -> str:
+def _cell(value: Any, best: float | None = None) -> str:
     if value is None or (isinstance(value, float) and not isfinite(value)):
         return "-"
     if isinstance(value, str):
         return value
-    return f"{value:,.0f}" if abs(value) >= 1000 else f"{value:.3g}"
+    shown = f"{value:,.0f}" if abs(value) >= 1000 else f"{value:.3g}"
+    return f"**{shown}**" if value == best else shown

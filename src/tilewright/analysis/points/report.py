@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tilewright.analysis.points.checks import check_set, check_sets, check_shape
+from tilewright.analysis.points.meanings import POINT_MEANING, POINT_UNITS
 from tilewright.analysis.points.panels import (
     draw_anisotropy,
     draw_distances,
@@ -27,6 +28,7 @@ from tilewright.analysis.points.spacing import (
     radial_distribution,
 )
 from tilewright.analysis.points.spectrum import Spectrum, power_spectrum
+from tilewright.analysis.points.verdict import judge_points
 from tilewright.analysis.sheets import need_plots, save_figure
 from tilewright.errors import Progress, TilewrightTypeError, TilewrightValueError
 from tilewright.files.atomic import AnyPath
@@ -35,31 +37,6 @@ from tilewright.showing import describe_record
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-POINT_MEANING = {
-    "sets": "sets that were averaged, K",
-    "count": "points of a set, mean",
-    "rho": "least distance over 2 r_max, least of the sets",
-    "nearest_mean": "mean nearest distance over 2 r_max",
-    "coverage": "largest empty circle's radius over r_max, largest of the sets",
-    "bond_order": "sixfold order of neighbors; 0.36 for white noise, 1 for hexagons",
-    "radial_peak": "highest radially averaged power; 1 for white noise",
-    "largest_bin": "highest power of a single frequency",
-    "anisotropy_max": "highest anisotropy, dB",
-    "anisotropy_p99": "its 99th percentile, dB",
-    "anisotropy_median": "its median, dB; -10 log10 K for a symmetric spectrum",
-    "effective_nyquist": "frequencies sampled cleanly, over sqrt(N) / 2",
-    "oscillation": "10 x RMS of the radial power less 1, beyond the first rise",
-    "zone_plate_error": "RMS error of the zone plate, 0 to 1",
-    "zone_plate_near": "the same where pixels are fine enough for the function",
-    "tiles": "tiles of the set, variants counted",
-    "points_per_tile": "mean of the set",
-    "promised_rho": "least rho over all pairs of tiles that may be neighbors",
-    "intra_rho": "least rho of points of one tile",
-    "spike_window": "highest spike of the tile lattice, for each tile of the plane",
-    "spike_doubled": "the same within twice the width of the spectrum",
-    "spike_height": "its height in a set of 16,384 points",
-}
 
 _OPEN = ("coverage", "bond_order")
 """Figures that a plain box may have no room for."""
@@ -94,15 +71,25 @@ class PointReport:
     __repr__ = describe_record
 
     def __str__(self) -> str:
-        return "\n".join([*self._lines(), *self.notes])
+        return "\n".join([*self._lines(), *self.verdict, *self.notes])
 
     def _lines(self) -> list[str]:
-        """Each figure with its meaning."""
+        """Each figure with its unit and meaning."""
         lines = []
         for name, value in self.figures.items():
             shown = f"{value:10.0f}" if abs(value) >= 1000 else f"{value:10.4g}"
-            lines.append(f"{name:<18} {shown}  {POINT_MEANING[name]}")
+            lines.append(f"{name:<18} {shown} {POINT_UNITS[name]:<8} {POINT_MEANING[name]}")
         return lines
+
+    @property
+    def verdict(self) -> list[str]:
+        """One to three sentences: whether this is good blue noise, what to object to, what to change.
+
+        The limits are those of Lagae & Dutré 2008, section 2, and for what Heck, Schlömer & Deussen 2013
+        define, dart throwing's own figures.
+        """
+        tiled = "tiles" in self.figures or "tiles" in self.spectrum.sets[0].method
+        return judge_points(self.figures, self.spectrum, tiled)
 
     @property
     def notes(self) -> tuple[str, ...]:

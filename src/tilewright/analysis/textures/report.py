@@ -2,13 +2,14 @@
 
 from dataclasses import dataclass
 from textwrap import wrap
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.analysis.sheets import need_plots, save_figure
 from tilewright.analysis.textures.looks import measure_looks
+from tilewright.analysis.textures.meanings import ANY, MEANING, WITHOUT_LIMIT
 from tilewright.analysis.textures.patches import named_pieces
 from tilewright.analysis.textures.repetition import lattice_share, same_place_share, tile_lag_autocorrelation
 from tilewright.analysis.textures.sample import Sample, lay_sample
@@ -33,96 +34,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-ANY = (float("-inf"), float("inf"))
 MOST_SHOWN = 81
 """Tiles that a sheet has room for."""
-
-
-class Meaning(NamedTuple):
-    """What a figure says.
-
-    Attributes
-    ----------
-    limits : (float, float)
-        Least and most that the eye does not object to.
-    says : str
-    objection : str
-        What it objects to beyond them, with ``{value}`` in it.
-    """
-
-    limits: tuple[float, float]
-    says: str
-    objection: str = ""
-
-
-MEANING = {
-    "cut_line_ratio": Meaning(
-        (0, 1.1),
-        "color step across cuts over that elsewhere",
-        "cuts show: steps across them are {value:.2f} times those elsewhere",
-    ),
-    "worst_tile_ratio": Meaning((0, 1.3), "the same for the worst tile", "cuts show in one tile"),
-    "cut_color_ratio": Meaning(
-        (0, 1.4),
-        "color on two sides of cuts over what the patches have there",
-        "things of two colors: sides of cuts differ {value:.2f} times as they do in the photograph",
-    ),
-    "edge_cut_share": Meaning(
-        (0, 0.03), "pixel pairs across tile borders that do not continue", "borders of tiles show"
-    ),
-    "repetition": Meaning(
-        (-1, 0.17), "autocorrelation at tile lags, less the photograph's own", "tiles are seen to come again"
-    ),
-    "repetition_raw": Meaning(ANY, "autocorrelation at tile lags"),
-    "photograph_own": Meaning(ANY, "the photograph's autocorrelation at those lags"),
-    "same_place_share": Meaning(
-        (0, 0.17), "equal origins at equal places of two cells", "cells show the same at the same place"
-    ),
-    "lattice_share": Meaning((0, 0.15), "low-passed variance that is the same in every tile"),
-    "tone_step_ratio": Meaning(
-        (0, 1.3), "tone of tile middles against borders, over the photograph's", "tiles differ in tone"
-    ),
-    "seam_novelty": Meaning(
-        (0, 1.2), "distance of patches on cuts to the photograph, over its own", "cuts break what they cross"
-    ),
-    "seam_novelty_p95": Meaning((0, 2.0), "its 95th percentile", "some cuts break what they cross"),
-    "used_share": Meaning(ANY, "share of the photograph that the set shows"),
-    "mean_difference": Meaning(
-        (0, 2), "distance of the mean colors, delta E", "the plane has another color, by {value:.1f} delta E"
-    ),
-    "low_contrast": Meaning(
-        (0.68, 1.3),
-        "contrast of blots of tone over the photograph's",
-        "blots of tone have {value:.2f} of the photograph's contrast",
-    ),
-    "fine_contrast": Meaning(
-        (0.85, 1.15),
-        "contrast of fine detail over the photograph's",
-        "fine detail has {value:.2f} of the photograph's contrast",
-    ),
-    "recurrence": Meaning(
-        (0, 2.2),
-        "copies of windows on the photograph's area, over its own",
-        "a piece of the plane is seen {value:.1f} times on the photograph's area",
-    ),
-    "salient_copies": Meaning(
-        (0, 4.5),
-        "the same of what pops out most",
-        "one thing pops out {value:.1f} times on the photograph's area",
-    ),
-    "equal_neighbors": Meaning(
-        (0, 0.004),
-        "neighboring cells that look alike, less the photograph's own",
-        "equal tiles lie side by side",
-    ),
-    "lattice_spikes": Meaning(
-        (0, 0.006), "variance from afar in spikes, less the photograph's own", "a lattice shows from afar"
-    ),
-}
-_STEPS = ("cut_line_ratio", "worst_tile_ratio")
-WITHOUT_LIMIT = {"things": _STEPS, "courses": (*_STEPS, "lattice_spikes")}
-"""Figures without limits, by treatment. Where cuts follow outlines, as they should, steps are large; and
-courses are waves of their own, which are not those of a lattice of tiles."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,30 +56,35 @@ class Report:
     __repr__ = describe_record
 
     def __str__(self) -> str:
+        return "\n".join([*self._lines(), *self.verdict])
+
+    def _lines(self) -> list[str]:
+        """Each figure with its unit, what limit it is beyond, and its meaning."""
         lines = []
         for name, value in self.figures.items():
             least, most = self._limits(name)
-            says = MEANING[name].says
-            mark = f"  over {most:g}" if value > most else f"  below {least:g}" if value < least else ""
-            lines.append(f"{name:<18} {value:6.3f}{mark:<11} {says}")
-        found = "; ".join(self.objections)
-        lines.append(
-            f"To object to: {found}."
-            if found
-            else "No figure is beyond its limit; look at the sheet all the same."
-        )
-        return "\n".join(lines)
+            mark = f"over {most:g}" if value > most else f"below {least:g}" if value < least else ""
+            meaning = MEANING[name]
+            lines.append(f"{name:<18} {value:6.3f} {meaning.unit:<5}  {mark:<10}  {meaning.says}")
+        return lines
 
     @property
     def objections(self) -> list[str]:
         """What figures beyond their limits say, in words."""
-        said = []
-        for name, value in self.figures.items():
-            least, most = self._limits(name)
-            objection = MEANING[name].objection
-            if objection and not least <= value <= most:
-                said.append(objection.format(value=value))
-        return said
+        return [MEANING[name].objection.format(value=value) for name, value in self._beyond()]
+
+    @property
+    def verdict(self) -> list[str]:
+        """One or two sentences: what a picky eye objects to, and what to change."""
+        if not self.objections:
+            return ["No figure is beyond its limit; look at the sheet all the same."]
+        advice = dict.fromkeys(MEANING[name].advice for name, _ in self._beyond())
+        return [f"To object to: {'; '.join(self.objections)}.", f"To change: {'; '.join(advice)}."]
+
+    def _beyond(self) -> list[tuple[str, float]]:
+        """Figures beyond their limits."""
+        limits = {name: self._limits(name) for name in self.figures}
+        return [(n, v) for n, v in self.figures.items() if not limits[n][0] <= v <= limits[n][1]]
 
     def _limits(self, name: str) -> tuple[float, float]:
         treatment = str(self.sample.material.recipe.get("treatment"))

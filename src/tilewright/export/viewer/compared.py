@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.parts import fill, part
+from tilewright.export.viewer.patches import describe_patches
 from tilewright.export.viewer.pictures import describe_map, describe_tone, encode_png, mean_color
 from tilewright.export.viewer.sets import describe_set
 from tilewright.fields import TextureField
@@ -49,6 +50,8 @@ def describe_comparison(compare: SideBySide, seed: int) -> dict[str, Any]:
                 tiles.tiles, tiles.variants, seed, [describe_map(name, shown, light, tone)], tiles.tone
             )
             plane["own"] = tiles is compare.material
+            if plane["own"]:  # the patches of the other set are made for the page, none can be rejected
+                plane["tiles"]["patches"] = describe_patches(tiles)
         else:
             plane["photo"] = "gauss" if isinstance(one.field, NoiseField) else "color"
             plane["defines"] = f"#define PHOTO_{one.name.upper()}"

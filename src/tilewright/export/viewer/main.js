@@ -3,6 +3,9 @@
 const element = (id) => document.getElementById(id);
 const shaderText = (id) => element(id).textContent.trim();
 
+/** Milliseconds after which what the pointer is on is told. */
+const SETTLED = 700;
+
 /** The material as written into the page, with binary tables unpacked. */
 function readMaterial() {
   const material = JSON.parse(element("material").textContent);
@@ -200,10 +203,22 @@ class Page {
       ? [(event.clientX - box.left) * ratio, (event.clientY - box.top) * ratio]
       : [this.camera.width / 2, this.camera.height / 2];
     if (!this.camera.showsGround(at[1])) return;
-    const { cellX, cellY } = this.camera.locate(...at);
+    const place = this.camera.locate(...at);
     const plane = this.renderer.planes[this.comparison.planeAt(at[0] / this.camera.width)];
-    element("cell").textContent = `cell ${grouped(cellX)}, ${grouped(cellY)}`;
-    element("tile").textContent = plane.describe(cellX, cellY, this.seed, this.look);
+    element("cell").textContent = `cell ${grouped(place.cellX)}, ${grouped(place.cellY)}`;
+    element("tile").textContent = plane.describe(place, this.seed, this.look);
+    this.#announce();
+  }
+
+  /** Tell screen readers what is there once it has stayed for a while, to those who are on the plane. */
+  #announce() {
+    clearTimeout(this.announcing);
+    this.announcing = setTimeout(() => {
+      const told = `${element("cell").textContent}, ${element("tile").textContent}`;
+      if (document.activeElement === this.canvas && element("told").textContent !== told) {
+        element("told").textContent = told;
+      }
+    }, SETTLED);
   }
 
   // --- The API ----------------------------------------------------------------------------------------
@@ -246,6 +261,20 @@ class Page {
     return lattice?.placementAt(x, y) ?? [-1, 0];
   }
 
+  /** The cell and the texel in it at CSS pixels from the canvas's corner. */
+  #locate(px, py) {
+    const ratio = this.camera.width / this.canvas.clientWidth;
+    const { cellX, cellY, x, y } = this.camera.locate(px * ratio, py * ratio);
+    return { cellX: String(cellX), cellY: String(cellY), texelX: x, texelY: y };
+  }
+
+  /** The patch at a texel of a cell; "" where none is known. */
+  #patchAt(x, y, texelX, texelY) {
+    const [tile, variant] = this.#placementAt(x, y);
+    const plane = this.renderer.planes[this.comparison.shown[0].plane];
+    return tile < 0 ? "" : plane.patchAt(tile, variant, texelX, texelY);
+  }
+
   get api() {
     return {
       ready: this.ready,
@@ -254,6 +283,8 @@ class Page {
       pixels: () => { this.changed(false); this.draw(); return this.renderer.pixels(); },
       show: (method, beside) => { this.comparison.set({ method, beside }); return this.#load(); },
       tileAt: (cellX, cellY) => this.#placementAt(BigInt(cellX), BigInt(cellY))[0],
+      locate: (x, y) => this.#locate(x, y),
+      patchAt: (cellX, cellY, texelX, texelY) => this.#patchAt(BigInt(cellX), BigInt(cellY), texelX, texelY),
       variantAt: (cellX, cellY) => this.#placementAt(BigInt(cellX), BigInt(cellY))[1],
     };
   }

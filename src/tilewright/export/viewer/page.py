@@ -16,6 +16,7 @@ from tilewright.errors import TilewrightValueError
 from tilewright.export.display import screen_bytes
 from tilewright.export.viewer.compared import describe_comparison, fill_comparison
 from tilewright.export.viewer.parts import fill, part, shader
+from tilewright.export.viewer.patches import describe_patches
 from tilewright.export.viewer.pictures import describe_map, describe_tone
 from tilewright.export.viewer.sets import BAKED_CELLS, describe_set, is_baked
 from tilewright.fields.photos.contenders import SideBySide
@@ -24,7 +25,16 @@ from tilewright.files.texts import write_text
 from tilewright.seeds import check_seed
 from tilewright.signals.textures import TextureTiles
 
-_SCRIPTS = ("lattice.js", "camera.js", "renderer.js", "photo.js", "controls.js", "comparison.js", "main.js")
+_SCRIPTS = (
+    "lattice.js",
+    "camera.js",
+    "patches.js",
+    "renderer.js",
+    "photo.js",
+    "controls.js",
+    "comparison.js",
+    "main.js",
+)
 _SHADERS = ("plane.frag", "mip.frag", "lattice.glsl", "tiles.glsl")
 
 
@@ -159,4 +169,5 @@ def _describe(material: TextureTiles, seed: int) -> dict[str, Any]:
         maps.append(describe_map(name, shown.pixels, light, tone))
         notes.append({"name": name, "note": shown.note})
     tiles = describe_set(material.tiles, material.variants, seed, maps, material.tone)
+    tiles["patches"] = describe_patches(material)
     return {"maps": notes, "planes": [{"name": "tiles", "label": "Tiles", "own": True, "tiles": tiles}]}

@@ -180,6 +180,7 @@ class TilePlane {
       throw new Error(`This device cannot hold ${tiles.count} tiles of ${size} texels.`);
     }
     this.lattice = new Lattice(tiles.tiling);
+    this.patches = tiles.patches?.step && new PatchNames(tiles.patches, size);
     const { width, height, values } =
       tiles.tiling.cells ?? tiles.tiling.indexOfCode ?? { width: 1, height: 1, values: new Uint16Array(1) };
     this.table = renderer.table(width, height, gl.R16UI, gl.RED_INTEGER, gl.UNSIGNED_SHORT, values);
@@ -268,12 +269,19 @@ class TilePlane {
     return u;
   }
 
-  /** What is at a cell, for the readout. */
-  describe(x, y, seed, look) {
+  /** What is at a texel of a cell, for the readout: "tile 7, variant 1: center:7:1". */
+  describe({ cellX, cellY, x, y }, seed, look) {
     this.lattice.setSeed(seed);
-    const [tile, variant] = look.repeat ? [this.tiles.repeat, 0] : this.lattice.placementAt(x, y);
+    const [tile, variant] = look.repeat ? [this.tiles.repeat, 0] : this.lattice.placementAt(cellX, cellY);
     if (tile < 0) return "no tile";
-    return this.variants ? `tile ${tile}, variant ${variant}` : `tile ${tile}`;
+    const patch = this.patchAt(tile, variant, x, y);
+    return (this.variants ? `tile ${tile}, variant ${variant}` : `tile ${tile}`) + (patch && `: ${patch}`);
+  }
+
+  /** The name of the patch at a texel of a tile; "" where none is known. */
+  patchAt(tile, variant, x, y) {
+    const first = this.tiles.tiling.variants?.values[tile] ?? tile;
+    return this.patches ? this.patches.at(first + variant, x, y) : "";
   }
 }
 

@@ -1,0 +1,53 @@
+"""What the figures of points say, and their units."""
+
+POINT_UNITS = {
+    "sets": "sets",
+    "count": "points",
+    "rho": "2 r_max",
+    "nearest_mean": "2 r_max",
+    "coverage": "r_max",
+    "bond_order": "0 to 1",
+    "radial_peak": "x white",
+    "largest_bin": "x white",
+    "anisotropy_max": "dB",
+    "anisotropy_p99": "dB",
+    "anisotropy_median": "dB",
+    "effective_nyquist": "x grid",
+    "oscillation": "0 up",
+    "zone_plate_error": "0 to 1",
+    "zone_plate_near": "0 to 1",
+    "tiles": "tiles",
+    "points_per_tile": "points",
+    "promised_rho": "2 r_max",
+    "intra_rho": "2 r_max",
+    "spike_window": "x white",
+    "spike_doubled": "x white",
+    "spike_height": "x white",
+}
+"""Units of `POINT_MEANING`: r_max is the radius of the densest packing of as many disks, white the power of
+white noise, which is 1, and grid the square grid's Nyquist frequency, sqrt(N) / 2."""
+
+POINT_MEANING = {
+    "sets": "averaged, K",
+    "count": "in a set, mean",
+    "rho": "least distance of two points, least of the sets; r_max: densest packing of as many disks",
+    "nearest_mean": "mean distance to the nearest point",
+    "coverage": "largest empty circle's radius, largest of the sets",
+    "bond_order": "sixfold order of neighbors; 0.36 for white noise, 1 for hexagons",
+    "radial_peak": "highest radially averaged power",
+    "largest_bin": "highest power of a single frequency",
+    "anisotropy_max": "highest anisotropy",
+    "anisotropy_p99": "its 99th percentile",
+    "anisotropy_median": "its median; -10 log10 K for a symmetric spectrum",
+    "effective_nyquist": "frequencies sampled cleanly, over the square grid's, sqrt(N) / 2",
+    "oscillation": "10 x RMS of the radial power less 1, beyond the first rise",
+    "zone_plate_error": "RMS error of the zone plate",
+    "zone_plate_near": "the same where pixels are fine enough for the function",
+    "tiles": "of the set, variants counted",
+    "points_per_tile": "mean of the set",
+    "promised_rho": "least distance over all pairs of tiles that may be neighbors",
+    "intra_rho": "least distance of points of one tile",
+    "spike_window": "highest spike of the tile lattice, for each tile of the plane",
+    "spike_doubled": "the same within twice the width of the spectrum",
+    "spike_height": "its height in a set of 16,384 points",
+}
