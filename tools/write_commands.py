@@ -36,6 +36,7 @@ CHAPTERS = {
     "flow": ("flow", "dappled"),
     "aperiodic": ("aperiodic", "tutorials/makers"),
     "export": ("engines", "gpu", "tutorials/game-engine"),
+    "info": ("tileset-folder", "jobs"),
     "warm": ("jobs",),
 }
 """The pages that tell more of each command."""

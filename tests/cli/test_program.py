@@ -213,6 +213,10 @@ main()
 @pytest.mark.parametrize("delay", [0.02, 0.1, 0.3])
 def test_a_signal_while_the_program_loads_is_one_line(tmp_path, delay):
     command = [sys.executable, "-c", LOADING.format(delay=delay), "-", str(tmp_path / "p.png")]
-    done = subprocess.run(command, capture_output=True, timeout=60, check=False)
+    # A shell in the background hands its children an ignored SIGINT.
+    done = subprocess.run(
+        command, capture_output=True, timeout=60, check=False,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )  # fmt: skip
     assert (done.returncode, done.stderr) == (130, b"tilewright: stopped\n")
     assert not any(tmp_path.iterdir())

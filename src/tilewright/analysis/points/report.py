@@ -85,7 +85,7 @@ class PointReport:
     def verdict(self) -> list[str]:
         """One to three sentences: whether this is good blue noise, what to object to, what to change.
 
-        The limits are those of Lagae & Dutré 2008, section 2, and for what Heck, Schlömer & Deussen 2013
+        The limits are those of Lagae 2007, section 4.2.3, and for what Heck, Schlömer & Deussen 2013
         define, dart throwing's own figures.
         """
         tiled = "tiles" in self.figures or "tiles" in self.spectrum.sets[0].method

@@ -1,10 +1,9 @@
 """Whether points are good blue noise, in words: compared to what, what to object to, and what to change.
 
-Lagae & Dutré 2008 ("A Comparison of Methods for Generating Poisson Disk Distributions", Computer Graphics
-Forum 27 (1), section 2) ask for a relative radius of 0.65 to 0.85. Heck, Schlömer & Deussen 2013 ("Blue Noise
-Sampling with Controlled Aliasing", ACM TOG 32 (3)) define effective Nyquist frequency and oscillation without
-limits; Ulichney 1987 ("Digital Halftoning") has the floor of the anisotropy. Where the literature names no
-limit, dart throwing sets it, which the other methods are measured by.
+Lagae & Dutré 2006, section 7.2.1, and Lagae 2007, section 4.2.3, ask for a relative radius of 0.65 to 0.85.
+Heck, Schlömer & Deussen 2013 ("Blue Noise Sampling with Controlled Aliasing", ACM TOG 32 (3)) define
+effective Nyquist frequency and oscillation without limits; Ulichney 1987 ("Digital Halftoning") has the
+floor of the anisotropy. Where the literature names no limit, dart throwing sets it, which the other methods are measured by.
 """
 
 from math import log10, nan, sqrt
@@ -15,7 +14,7 @@ import numpy as np
 from tilewright.analysis.points.spectrum import Spectrum
 
 GOOD_RHO = (0.65, 0.85)
-"""Relative radius: below, points clump; above, they lie as a lattice (Lagae & Dutré 2008, section 2)."""
+"""Relative radius: below, points clump; above, they lie as a lattice (Lagae 2007, section 4.2.3)."""
 CLEAN = 0.4
 """Least effective Nyquist frequency: dart throwing at rho 0.70 has 0.42 to 0.48 as Heck et al. define it."""
 QUIET = 0.15

@@ -55,6 +55,13 @@ def find_regularity(pixels: NDArray[Any]) -> Regularity:
     Regularity
         Periods in pixels, how strong they are, and where the map shows itself again.
 
+    Raises
+    ------
+    TilewrightTypeError
+        Something else than an array.
+    TilewrightValueError
+        An array of another shape.
+
     Examples
     --------
     >>> import numpy as np
