@@ -21,7 +21,7 @@ class RenderJob(WritingJob):
     Attributes
     ----------
     output : Path, optional
-        The picture: ``.png``, ``.tif`` or ``.exr``; default a ``.png`` named after the set.
+        The picture: ``.png``, ``.tif``, ``.exr``, ``.jpg`` or ``.webp``; default a PNG named after the set.
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     folder : Path

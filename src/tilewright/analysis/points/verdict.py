@@ -3,7 +3,8 @@
 Lagae & Dutré 2006, section 7.2.1, and Lagae 2007, section 4.2.3, ask for a relative radius of 0.65 to 0.85.
 Heck, Schlömer & Deussen 2013 ("Blue Noise Sampling with Controlled Aliasing", ACM TOG 32 (3)) define
 effective Nyquist frequency and oscillation without limits; Ulichney 1987 ("Digital Halftoning") has the
-floor of the anisotropy. Where the literature names no limit, dart throwing sets it, which the other methods are measured by.
+floor of the anisotropy. Where the literature names no limit, dart throwing sets it, which the other methods
+are measured by.
 """
 
 from math import log10, nan, sqrt
