@@ -49,6 +49,7 @@ from .export.drawing import (
     paint_tiles as paint_tiles,
     paint_tiling as paint_tiling,
     save_animation as save_animation,
+    save_drawing as save_drawing,
     save_svg as save_svg,
 )
 from .extras import (

@@ -13,8 +13,8 @@ def command(
         option(
             "-o",
             "--output",
-            help="Picture FILE.png or .tif, drawing FILE.svg, tiles FILE.npy, or a folder of all maps; "
-            "default wall.png.",
+            help="Picture FILE.png or .tif, drawing FILE.svg, .pdf or .dxf, tiles FILE.npy, or a folder "
+            "of all maps; default wall.png.",
         ),
     ] = None,
     width: Annotated[
@@ -78,7 +78,7 @@ def command(
         ),
     ] = None,
     lines: Annotated[
-        bool, option(help="In an SVG, draw the joints as lines instead of bricks; default no.")
+        bool, option(help="In a drawing, draw the joints as lines instead of bricks; default no.")
     ] = False,
     seed: Annotated[
         int, option("--seed", help="Seed of the wall and of how bricks look, from 0 on; default 0.")

@@ -13,8 +13,8 @@ def command(
         option(
             "-o",
             "--output",
-            help="Picture FILE.png, jigsaw puzzle FILE.svg or tile indices FILE.npy; default a PNG named "
-            "after the set.",
+            help="Picture FILE.png, jigsaw puzzle FILE.svg, .pdf or .dxf, or tile indices FILE.npy; default "
+            "a PNG named after the set.",
         ),
     ] = None,
     tiles: Annotated[str, option(help="Kind of tiles: corner (default) or wang.")] = "corner",
@@ -44,8 +44,8 @@ def command(
 ) -> None:
     """Write a tile packing: every tile of the complete set once, on a torus, neighbors matching.
 
-    FILE.npy holds tile indices, shape (C^2, C^2); FILE.svg is a jigsaw puzzle for a laser cutter, with pieces
-    that fit where colors agree; FILE.png shows the packing.
+    FILE.npy holds tile indices, shape (C^2, C^2); FILE.svg, .pdf or .dxf is a jigsaw puzzle for a
+    laser cutter, with pieces that fit where colors agree; FILE.png shows the packing.
 
     Example: tilewright pack --tiles corner --colors 4 -o packing.npy
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from tilewright.checks import check_choice, check_int
 from tilewright.errors import Progress, TilewrightFileError
 from tilewright.jobs.job import Clash, Done, Rule, WritingJob, useless
-from tilewright.jobs.outputs import save_array
+from tilewright.jobs.outputs import DRAWINGS, save_array
 from tilewright.kernels.compiling import Clock
 from tilewright.seeds import check_seed
 
@@ -33,8 +33,8 @@ class BricksJob(WritingJob):
     Attributes
     ----------
     output : Path, optional
-        ``.png``, ``.tif``: a picture of ``map``; ``.svg``: bricks, or joints with ``lines``; ``.npy``: tiles;
-        without a suffix: a folder of all maps. Default ``wall.png``.
+        ``.png``, ``.tif``: a picture of ``map``; ``.svg``, ``.pdf``, ``.dxf``: bricks, or joints with
+        ``lines``; ``.npy``: tiles; without a suffix: a folder of all maps. Default ``wall.png``.
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     width, height : int, optional
@@ -66,7 +66,7 @@ class BricksJob(WritingJob):
     map : str, optional
         What a picture shows: ``"preview"`` (default) or a map of `BrickField`.
     lines : bool, optional
-        Whether an SVG shows the joints as lines; default False.
+        Whether a drawing shows the joints as lines; default False.
     seed : int, optional
         Seed of the wall and of how bricks look; default 0.
 
@@ -102,8 +102,17 @@ class BricksJob(WritingJob):
         Rule(lambda job: job.given("pattern") and job.input, f"{{pattern}} and {{input}} {_CLASH}"),
         *useless(lambda job: job.given("pattern"), "a bond ({pattern})", "positions", "longest"),
         *useless(lambda job: job.kind == ".npy", "a .npy file, which holds tiles", *_LOOK),
-        *useless(lambda job: job.kind in ("", ".svg"), "a folder of all maps or an SVG", "map"),
-        Rule(lambda job: job.lines and job.kind != ".svg", "{lines} is about an SVG; name a FILE.svg"),
+        *useless(
+            lambda job: job.kind in ("", *DRAWINGS), "a folder of all maps or a drawing of lines", "map"
+        ),
+        Rule(
+            lambda job: job.lines and job.kind not in DRAWINGS,
+            "{lines} is about drawings; name a FILE.svg, .pdf or .dxf",
+        ),
+        Rule(
+            lambda job: job.is_region and job.kind == ".dxf" and not job.lines,
+            "a DXF cannot cut bricks at the sides of a region; give {lines}, or name a FILE.pdf",
+        ),
     )
 
     @property
@@ -232,10 +241,10 @@ class BricksJob(WritingJob):
     def _draw(
         self, field: "BrickField", window: tuple[int, int, int, int], progress: Progress | None
     ) -> None:
-        from tilewright.export.drawing import draw_wall, save_svg
+        from tilewright.export.drawing import draw_wall, save_drawing
 
-        if self.kind == ".svg":
-            save_svg(self.target, draw_wall(field, *window, mode="lines" if self.lines else "bricks"))
+        if self.kind in DRAWINGS:
+            save_drawing(self.target, draw_wall(field, *window, mode="lines" if self.lines else "bricks"))
         else:
             field.save(self.target, *window, map=self.map or "preview", progress=progress)
 

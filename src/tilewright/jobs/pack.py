@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Rule, WritingJob
-from tilewright.jobs.outputs import check_suffix, save_by_suffix
+from tilewright.jobs.job import Done, Rule, WritingJob, useless
+from tilewright.jobs.outputs import DRAWINGS, check_suffix, save_by_suffix
 from tilewright.seeds import check_seed
 
 if TYPE_CHECKING:
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 def _of_a_puzzle(name: str) -> "Rule[PackJob]":
     """A rule for an option that is about the pieces of a puzzle."""
     return Rule(
-        lambda job: job.given(name) and (job.file is None or job.file.suffix.lower() != ".svg"),
-        f"{{{name}}} is about the pieces of a puzzle; give it with a FILE.svg",
+        lambda job: job.given(name) and (job.file is None or job.file.suffix.lower() not in DRAWINGS),
+        f"{{{name}}} is about the pieces of a puzzle; give it with a FILE.svg, .pdf or .dxf",
     )
 
 
@@ -30,8 +30,8 @@ class PackJob(WritingJob):
     Attributes
     ----------
     output : Path, optional
-        ``.png``, ``.svg`` (a puzzle for a laser cutter) or ``.npy`` (tile indices, shape (C^2, C^2)); default
-        named after the set.
+        ``.svg``, ``.pdf``, ``.dxf``: a puzzle for a laser cutter; ``.png``; or ``.npy``: tile indices, shape
+        (C^2, C^2). Default a PNG named after the set.
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     tiles : str, optional
@@ -66,7 +66,14 @@ class PackJob(WritingJob):
     engrave: str = "none"
     seed: int = 0
 
-    RULES: ClassVar[tuple[Rule[Any], ...]] = tuple(_of_a_puzzle(name) for name in ("picture", "engrave"))
+    RULES: ClassVar[tuple[Rule[Any], ...]] = (
+        *(_of_a_puzzle(name) for name in ("picture", "engrave")),
+        *useless(
+            lambda job: job.file is not None and job.file.suffix.lower() == ".dxf",
+            "a .dxf file, which holds lines",
+            "picture",
+        ),
+    )
 
     @property
     def usual(self) -> str | None:
@@ -86,7 +93,7 @@ class PackJob(WritingJob):
         make = makers[check_choice("tiles", self.tiles, tuple(makers))]
         check_choice("method", self.method, ("closed", "search", "recursive"))
         if self.file is not None:
-            check_suffix(self.file, (".npy", ".svg", ".png"))
+            check_suffix(self.file, (".npy", *DRAWINGS, ".png"))
         check_seed(self.seed)
         tiles = make(self.colors)
         figures: dict[str, Any] = {"tiles": len(tiles)}

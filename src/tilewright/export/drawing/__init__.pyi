@@ -7,6 +7,9 @@ from .flows import (
     draw_trails as draw_trails,
     save_animation as save_animation,
 )
+from .formats import (
+    save_drawing as save_drawing,
+)
 from .jigsaw import (
     Jigsaw as Jigsaw,
     draw_jigsaw as draw_jigsaw,
