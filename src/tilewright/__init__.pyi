@@ -41,6 +41,7 @@ from .export.drawing import (
     draw_cells as draw_cells,
     draw_density as draw_density,
     draw_jigsaw as draw_jigsaw,
+    draw_jigsaw_sheets as draw_jigsaw_sheets,
     draw_tiles as draw_tiles,
     draw_tiling as draw_tiling,
     draw_trails as draw_trails,

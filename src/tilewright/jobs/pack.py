@@ -48,6 +48,12 @@ class PackJob(WritingJob):
         A PNG or JPEG to print on the pieces.
     engrave : str, optional
         What is cut into the pieces: ``"none"`` (default), ``"colors"`` or ``"numbers"``.
+    kerf : float, optional
+        Width of the beam in mm; pieces are then cut apart, each in its nominal size. Default: one cut between
+        two pieces.
+    sheet : tuple of (int, int), optional
+        Width and height in mm of the sheets on which pieces are laid apart: the pages of a ``.pdf``, or files
+        with numbers where there are several; default one sheet, as large as it needs to be.
     seed : int, optional
         Which packing the search finds; default 0.
 
@@ -64,14 +70,20 @@ class PackJob(WritingJob):
     piece_mm: float = 30
     picture: Path | None = None
     engrave: str = "none"
+    kerf: float | None = None
+    sheet: tuple[int, int] | None = None
     seed: int = 0
 
     RULES: ClassVar[tuple[Rule[Any], ...]] = (
-        *(_of_a_puzzle(name) for name in ("picture", "engrave")),
+        *(_of_a_puzzle(name) for name in ("picture", "engrave", "kerf", "sheet")),
         *useless(
             lambda job: job.file is not None and job.file.suffix.lower() == ".dxf",
             "a .dxf file, which holds lines",
             "picture",
+        ),
+        Rule(
+            lambda job: job.is_apart and job.file.suffix.lower() == ".dxf" and job.engrave == "colors",
+            "{engrave} colors are cut to their pieces, which a .dxf cannot; take numbers, or name a FILE.pdf",
         ),
     )
 
@@ -84,6 +96,11 @@ class PackJob(WritingJob):
     def file(self) -> Path | None:
         """Where the packing goes; nowhere where only a count is asked for."""
         return self.output if self.count else self.target
+
+    @property
+    def is_apart(self) -> bool:
+        """Whether the pieces of a puzzle are laid apart."""
+        return self.kerf is not None or self.sheet is not None
 
     def _run(self, progress: Progress | None) -> Done:
         """Count, pack and draw."""
@@ -98,6 +115,7 @@ class PackJob(WritingJob):
         tiles = make(self.colors)
         figures: dict[str, Any] = {"tiles": len(tiles)}
         words = []
+        files: tuple[Path, ...] = ()
         if self.count:
             from tilewright.tilings import count_packings
 
@@ -106,10 +124,13 @@ class PackJob(WritingJob):
         if self.file is not None:
             packed = self._pack(tiles, progress)
             width, height = (p or 0 for p in packed.domain.periods)
-            self._save(packed, self.file, (width, height))
+            files = self._save(packed, self.file, (width, height))
             figures |= {"file": str(self.file), "size": [width, height]}
             words.append(f"{self.file}: {len(tiles)} tiles, {width} x {height}")
-        return Done(() if self.file is None else (self.file,), figures, "\n".join(words))
+            if self.is_apart:
+                figures["files"] = [str(file) for file in files]
+                words[-1] = f"{', '.join(figures['files'])}: {len(tiles)} pieces, {width} x {height}"
+        return Done(files, figures, "\n".join(words))
 
     def _pack(self, tiles: "TileSet", progress: Progress | None) -> "Tiling":
         from tilewright.tilings import packing, random_packing, recursive_packing
@@ -118,10 +139,13 @@ class PackJob(WritingJob):
             return random_packing(tiles, seed=self.seed, progress=progress)
         return packing(tiles) if self.method == "closed" else recursive_packing(tiles)
 
-    def _save(self, packed: "Tiling", file: Path, size: tuple[int, int]) -> None:
+    def _save(self, packed: "Tiling", file: Path, size: tuple[int, int]) -> tuple[Path, ...]:
+        """Write the packing; the files that it went to."""
         from tilewright.export.drawing import draw_jigsaw, paint_tiling
 
         look: dict[str, Any] = {"piece": self.piece_mm, "picture": self.picture, "engrave": self.engrave}
+        if self.is_apart:
+            return self._save_apart(packed, file, look)
         save_by_suffix(
             file,
             {
@@ -130,3 +154,20 @@ class PackJob(WritingJob):
                 ".npy": lambda: packed.indices(0, 0, *size),
             },
         )
+        return (file,)
+
+    def _save_apart(self, packed: "Tiling", file: Path, look: dict[str, Any]) -> tuple[Path, ...]:
+        """The pieces apart: pages of a PDF, or a file for each sheet, numbered where there are several."""
+        from tilewright.export.drawing import draw_jigsaw_sheets, save_drawing
+
+        sheets = draw_jigsaw_sheets(packed, kerf=self.kerf or 0, sheet=self.sheet, **look)
+        if len(sheets) == 1 or file.suffix.lower() == ".pdf":
+            save_drawing(file, sheets)
+            return (file,)
+        files = tuple(file.with_stem(f"{file.stem}-{number}") for number in range(1, len(sheets) + 1))
+        for one in files:
+            if not self.force:
+                self._keep(one)
+        for one, drawing in zip(files, sheets, strict=True):
+            save_drawing(one, drawing)
+        return files

@@ -14,6 +14,9 @@ from .jigsaw import (
     Jigsaw as Jigsaw,
     draw_jigsaw as draw_jigsaw,
 )
+from .sheets import (
+    draw_jigsaw_sheets as draw_jigsaw_sheets,
+)
 from .svg import (
     save_svg as save_svg,
 )

@@ -18,6 +18,8 @@ _POINT = 25.4 / 72
 """Millimeters of PDF's unit."""
 _LONGEST = 14400
 """Units along a page; a longer page has a larger unit (ISO 32000-1, annex C.2 and table 30)."""
+_EVERYWHERE = "-32768 -32768 32767 32767"
+"""The bounds of symbols, which are not cut."""
 _DIGIT = 0.556
 """Width of a digit of Helvetica, for its size."""
 
@@ -84,11 +86,9 @@ class _Writer:
         width, height = (side * drawing.unit / _POINT for side in (drawing.width, drawing.height))
         larger = max(1, ceil(max(width, height) / _LONGEST))
         scale = drawing.unit / _POINT / larger
-        reach = f"{number(-drawing.width)} {number(-drawing.height)} "
-        reach += f"{number(2 * drawing.width)} {number(2 * drawing.height)}"
         for name, items in drawing.symbols.items():
             content = "\n".join(self._drawn(items, page)).encode()
-            form = f"/Type /XObject /Subtype /Form /BBox [{reach}] /Resources {resources} 0 R"
+            form = f"/Type /XObject /Subtype /Form /BBox [{_EVERYWHERE}] /Resources {resources} 0 R"
             self._forms[_form(page, name)] = self._stream(form, content)
         shown = [f"{scale:.9f} 0 0 {-scale:.9f} 0 {number(height / larger)} cm"]
         for layer in drawing.layers:
