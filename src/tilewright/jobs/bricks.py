@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice, check_int
-from tilewright.errors import Progress, TilewrightFileError
+from tilewright.errors import Progress, TilewrightFileError, TilewrightValueError
 from tilewright.jobs.job import Clash, Done, Rule, WritingJob, useless
 from tilewright.jobs.outputs import DRAWINGS, save_array
 from tilewright.kernels.compiling import Clock
@@ -42,7 +42,8 @@ class BricksJob(WritingJob):
     x, y : int, optional
         First cell, of walls that go on; default (0, 0).
     pattern : str, optional
-        ``"wang"`` (default), ``"running-bond"``, ``"flemish-bond"``, ``"herringbone"`` or ``"basket-weave"``.
+        ``"wang"`` (default), ``"running-bond"``, ``"flemish-bond"``, ``"herringbone"`` or ``"basket-weave"``,
+        or another name of these that `BondBricks` takes.
     positions : int, optional
         Number of places where joints may meet an edge, 2 to 16; default 3.
     longest : tuple of (int, int), optional
@@ -58,7 +59,7 @@ class BricksJob(WritingJob):
     size : tuple of (int, int), optional
         Width and height of a cell in pixels; default (144, 48).
     colors : str, optional
-        Colors of `BrickStyle`; default ``"red"``.
+        Colors of `BrickStyle`, a palette or a text such as ``"#aa3333,#884422"``; default ``"red"``.
     mortar : int, optional
         Pixels between bricks; default by the size.
     bevel : float, optional
@@ -155,11 +156,12 @@ class BricksJob(WritingJob):
 
     def _check(self) -> None:
         """Numbers that the library would name otherwise, or not see."""
-        from tilewright.fields.bricks.bonds import BONDS
+        from tilewright.fields.bricks.bonds import check_bond
         from tilewright.fields.bricks.field import MAPS
         from tilewright.tilings.domain import LARGEST_CELL
 
-        check_choice("pattern", self.pattern, ("wang", *BONDS))
+        check_bond("pattern", self.pattern, "wang")
+        self._check_kind()
         if self.map is not None:
             check_choice("map", self.map, ("preview", *MAPS))
         for name, values, low, high in (
@@ -174,6 +176,18 @@ class BricksJob(WritingJob):
                 if value is not None:
                     check_int(name, value, low, high)
         check_seed(self.seed)
+
+    def _check_kind(self) -> None:
+        """Refuse an ending that no wall is written with."""
+        from tilewright.files.picture_forms import FORMATS
+
+        known = (*FORMATS, *DRAWINGS, ".npy")
+        if self.kind not in ("", *known):
+            allowed = f"{', '.join(known)}, and none for a folder of all maps"
+            raise TilewrightValueError(
+                f"is {self.target}, which ends in {self.kind!r}; allowed are {allowed}",
+                argument="output", value=self.target, allowed=allowed,
+            )  # fmt: skip
 
     def _lay(self) -> "tuple[Wall, tuple[int, int]]":
         """The wall, and its size in cells."""
