@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 EXTRA = "test"
 # Quick files that use numba, SciPy, OpenImageIO and tifffile, msgspec, typer, matplotlib, pyarrow, finufft,
-# python-sat and wgpu, ezdxf, pypdf, pypdfium2 and imageio-ffmpeg; they are looked for in all folders of tests/.
+# python-sat, wgpu, ezdxf, pypdf, pypdfium2 and imageio-ffmpeg; they are looked for in all folders of tests/.
 TESTS = (
     "test_hashes.py",
     "test_mincut.py",
