@@ -16,7 +16,8 @@ import sys
 
 class Without:
     def find_spec(self, name, path=None, target=None):
-        if name.partition(".")[0] in {"pyarrow", "finufft", "matplotlib", "pandas", "pysat", "wgpu"}:
+        without = {"pyarrow", "finufft", "matplotlib", "pandas", "pysat", "wgpu", "imageio_ffmpeg"}
+        if name.partition(".")[0] in without:
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
 
 sys.meta_path.insert(0, Without())
@@ -55,6 +56,7 @@ NEEDS = {
     "a plot": ("tw.plot_points([[0.5, 0.5]])", "matplotlib", "plots"),
     "a solver": ('tw.complete_dapple([[0, -1]], {"H0": 2})', "python-sat", "solve"),
     "a filling": ("tw.filled_tiling(tw.wang_tiles(2), 3, 3)", "python-sat", "solve"),
+    "a video": ('run("flow", "-o", "f.mp4")', "imageio-ffmpeg", "video"),
     "a table of pandas": ("tw.PointSet([[0.5, 0.5]]).to_pandas()", "pandas", ""),
 }
 ASKED = """

@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 EXTRA = "test"
 # Quick files that use numba, SciPy, OpenImageIO and tifffile, msgspec, typer, matplotlib, pyarrow, finufft,
-# python-sat and wgpu; they are looked for in all folders of tests/.
+# python-sat, wgpu, ezdxf, pypdf, pypdfium2 and imageio-ffmpeg; they are looked for in all folders of tests/.
 TESTS = (
     "test_hashes.py",
     "test_mincut.py",
@@ -29,6 +29,8 @@ TESTS = (
     "test_point_spectra.py",
     "test_dappled_solving.py",
     "test_gpu_refusals.py",
+    "test_drawing_files.py",
+    "test_flow_pictures.py",
 )
 SLOW = "not point_tiles_come_back"
 

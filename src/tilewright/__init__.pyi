@@ -41,6 +41,7 @@ from .export.drawing import (
     draw_cells as draw_cells,
     draw_density as draw_density,
     draw_jigsaw as draw_jigsaw,
+    draw_jigsaw_sheets as draw_jigsaw_sheets,
     draw_tiles as draw_tiles,
     draw_tiling as draw_tiling,
     draw_trails as draw_trails,
@@ -49,6 +50,7 @@ from .export.drawing import (
     paint_tiles as paint_tiles,
     paint_tiling as paint_tiling,
     save_animation as save_animation,
+    save_drawing as save_drawing,
     save_svg as save_svg,
 )
 from .extras import (

@@ -10,6 +10,7 @@ EXTRAS = {
     "matplotlib": ("plots", "matplotlib"),
     "pysat": ("solve", "python-sat"),
     "wgpu": ("gpu", "wgpu"),
+    "imageio_ffmpeg": ("video", "imageio-ffmpeg"),
     "pandas": ("", "pandas"),
 }
 """What is imported: the extra of tilewright that brings it, if one does, and the name to install it by."""

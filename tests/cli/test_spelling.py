@@ -16,6 +16,7 @@ def command(
     width: Annotated[float, typer.Option("-w", "--width", help="Width in tiles.")] = 1.0,
     side: Annotated[int, typer.Option(help="Side in pixels.")] = 1,
     size: Annotated[tuple[int, int], typer.Option(help="Size of a cell in pixels.")] = (1, 1),
+    sheet: Annotated[tuple[int, int] | None, typer.Option(help="Size of a sheet.")] = None,
     name: Annotated[str, typer.Option(help="Number of a name.")] = "",
     share: Annotated[list[float] | None, typer.Option(help="Shares.")] = None,
 ) -> None:
@@ -37,6 +38,7 @@ def command(
         ("--size 144x48", "--size 144 48"),
         ("--size 144,48", "--size 144 48"),
         ("--size 144 48", "--size 144 48"),
+        ("--sheet 300x200", "--sheet 300 200"),
         ("--name 1e6 photo,1", "--name 1e6 photo,1"),
         ("--share 1e6", "--share 1e6"),
         ("--count", "--count"),

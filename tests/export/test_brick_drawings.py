@@ -248,3 +248,22 @@ def test_palettes_are_of_bricks(palette):
     style = BrickStyle(palette)
     assert style.palette.shape == (7, 3)
     assert abs(style.palette.mean() - style.lime.mean()) < 0.35
+
+
+def test_colors_are_written_as_people_write_them(tmp_path):
+    assert BrickStyle("#aa3333, #884422").colors == ((0xAA, 0x33, 0x33), (0x88, 0x44, 0x22))
+    assert BrickStyle("#aa3333").palette.shape == (1, 3)
+    with pytest.raises(TilewrightError, match="expected '#' and six digits"):
+        BrickStyle("#aa3333,#88")
+    with pytest.raises(TilewrightError, match="gray, or colors as '#aa3333,#884422'"):
+        BrickStyle("pink")
+    call("-o", tmp_path / "w.svg", "--colors", "#10a020", "--pattern", "subway", "--width", 2, "--height", 2)
+    fills = {r.get("fill") for r in ET.parse(tmp_path / "w.svg").iter("{http://www.w3.org/2000/svg}rect")}
+    greens = [bytes.fromhex(fill[1:]) for fill in fills]
+    assert sum(green > 2 * max(red, blue) for red, green, blue in greens) == len(fills) - 1  # and mortar
+
+
+def test_an_unknown_ending_names_all_that_is_written(tmp_path):
+    refused = call("-o", tmp_path / "wall.foo").exception
+    assert "allowed are .png, .tif, " in str(refused)
+    assert ".webp, .svg, .pdf, .dxf, .npy, and none for a folder of all maps" in str(refused)

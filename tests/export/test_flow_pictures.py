@@ -1,6 +1,7 @@
 """Animations and maps of flows, and the command that makes them."""
 
 import json
+import subprocess
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from tilewright.export.drawing import flows as animation
 from tilewright.export.drawing.flows import draw_density, draw_trails, save_animation
 from tilewright.files import read_image, write_image
 from tilewright.flows.flow import FlowTile, simulate_flow
+from tilewright.pixels import LUMA
 from tilewright.tilings.dappled import find_violations
 
 HUES = [bytes.fromhex(hue[1:]) for hue in animation._HUES["direction"]]
@@ -138,8 +140,8 @@ def test_the_heat_map_is_lightest_where_density_is_highest(flow, size):
     ("ask", "said"),
     [
         (
-            lambda f, p: save_animation(p / "a.mp4", f),
-            "the ending of the file is '.mp4'; allowed are .gif, .webp",
+            lambda f, p: save_animation(p / "a.avi", f),
+            "the ending of the file is '.avi'; allowed are .gif, .webp, .mp4",
         ),
         (lambda f, p: save_animation(p / "a.gif", f, rate=0), "rate is 0"),
         (lambda f, p: save_animation(p / "a.gif", f, color="red"), "color is 'red'"),
@@ -231,7 +233,10 @@ def test_the_command_follows_a_picture_and_draws_maps(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("-o", "a.mp4"), "--output is a.mp4, which ends in '.mp4'"),
+        (
+            ("-o", "a.avi"),
+            "which ends in '.avi'; allowed are .gif, .webp, .mp4, .png, .npz",
+        ),
         (("--limit", "H2=2"), "--limit is 'H2'; allowed are H0, V0, H1, V1"),
         (("--limit", "H0=x"), "--limit H0 is 'x'"),
         (("-o", "a.npz", "--fps", 3), "--fps has no use with a .npz file"),
@@ -250,4 +255,45 @@ def test_the_command_refuses(tmp_path, monkeypatch, arguments, said):
     with pytest.raises(TilewrightError, match=said) as raised:
         call(*arguments)
     assert "\n" not in str(raised.value)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("size", "shown"), [(5, (46, 30)), (8, (72, 48))])
+def test_a_video_shows_the_frames_in_even_sides(flow, tmp_path, size, shown):
+    ffmpeg = pytest.importorskip("imageio_ffmpeg")
+    save_animation(tmp_path / "a.mp4", flow, size=size, rate=30)
+    read = [ffmpeg.get_ffmpeg_exe(), "-i", tmp_path / "a.mp4", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"]
+    done = subprocess.run(read, capture_output=True, check=True)
+    told = done.stderr.decode().partition("Output")[0]
+    for word in ("h264", "yuv420p", "bt709", "{}x{}".format(*shown), "30 fps"):
+        assert word in told
+    frames = np.frombuffer(done.stdout, np.uint8).reshape(len(flow.times), *shown[::-1], 3)
+    wanted = draw_trails(flow, frame=15, size=size) @ LUMA
+    away = [np.abs(frame[: len(wanted), : len(wanted[0])] @ LUMA - wanted).mean() for frame in frames]
+    assert np.argmin(away) == 15
+    assert away[15] < 3.5  # of 255; colors have half as many pixels
+    mean = draw_trails(flow, frame=15, size=size).mean(axis=(0, 1))
+    assert np.allclose(frames[15][: len(wanted), : len(wanted[0])].mean(axis=(0, 1)), mean, atol=3)
+
+
+def test_a_video_has_the_same_bytes_again_and_no_date(flow, tmp_path):
+    pytest.importorskip("imageio_ffmpeg")
+    for name in "ab":
+        save_animation(tmp_path / f"{name}.mp4", flow, size=8)
+    assert (tmp_path / "a.mp4").read_bytes() == (tmp_path / "b.mp4").read_bytes()
+    assert b"Lavf" not in (tmp_path / "a.mp4").read_bytes()
+
+
+def test_a_video_that_is_stopped_or_refused_leaves_nothing(flow, tmp_path, monkeypatch):
+    pytest.importorskip("imageio_ffmpeg")
+
+    def stop(done, total, what):
+        if done == 5:
+            raise tw.Cancelled
+
+    with pytest.raises(tw.Cancelled):
+        save_animation(tmp_path / "a.mp4", flow, size=8, progress=stop)
+    monkeypatch.setattr("tilewright.export.drawing.videos._THREADS", "many")
+    with pytest.raises(TilewrightError, match=r"b\.mp4 could not be written: ffmpeg says: ."):
+        save_animation(tmp_path / "b.mp4", flow, size=8)
     assert not list(tmp_path.iterdir())

@@ -9,7 +9,7 @@ import pytest
 import tilewright as tw
 from tilewright.errors import TilewrightError
 from tilewright.export.drawing.walls import draw_wall
-from tilewright.fields.bricks.bonds import BondBricks
+from tilewright.fields.bricks.bonds import ALIASES, BONDS, BondBricks
 from tilewright.fields.bricks.field import MAPS, BrickField
 from tilewright.fields.bricks.patterns import WangBricks
 from tilewright.fields.bricks.relief import MARGIN, light
@@ -275,3 +275,14 @@ def test_noise_is_that_of_a_slow_twin():
             total += weights[octave, field] * slow_noise(four, x % 1, y % 1, key, field)
         assert out[field, j] == pytest.approx(total, abs=1e-5)
     assert not out[:, :10].any()
+
+
+def test_bonds_are_known_by_the_names_people_use():
+    named = BondBricks("stretcher-bond", (48, 16)).bricks(0, 0, 100, 100)
+    assert (named.sides == BondBricks("running-bond", (48, 16)).bricks(0, 0, 100, 100).sides).all()
+    assert set(ALIASES.values()) <= set(BONDS)
+    assert not set(ALIASES) & set(BONDS)
+    with pytest.raises(
+        TilewrightError, match=r"herringbone-45.*herringbone, basket-weave; or by another name"
+    ):
+        BondBricks("herringbone-45")

@@ -17,7 +17,9 @@ def command(
     ] = None,
     output: Annotated[
         Path | None,
-        option("-o", "--output", help="FILE.svg, .png or .npy; default an SVG named after the set."),
+        option(
+            "-o", "--output", help="FILE.svg, .pdf, .dxf, .png or .npy; default an SVG named after the set."
+        ),
     ] = None,
     width: Annotated[int, option(help="Width of the window in cells; default 40.")] = 40,
     height: Annotated[int, option(help="Height of the window in cells; default 30.")] = 30,

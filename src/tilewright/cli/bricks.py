@@ -13,8 +13,8 @@ def command(
         option(
             "-o",
             "--output",
-            help="Picture FILE.png or .tif, drawing FILE.svg, tiles FILE.npy, or a folder of all maps; "
-            "default wall.png.",
+            help="Picture FILE.png, .tif, .exr, .jpg or .webp, drawing FILE.svg, .pdf or .dxf, tiles "
+            "FILE.npy, or a folder of all maps; default wall.png.",
         ),
     ] = None,
     width: Annotated[
@@ -28,7 +28,7 @@ def command(
         str,
         option(
             help="How bricks lie: wang (default) by brick Wang tiles, or running-bond, flemish-bond, "
-            "herringbone or basket-weave."
+            "herringbone or basket-weave; also by names such as stretcher-bond, subway or basketweave."
         ),
     ] = "wang",
     positions: Annotated[
@@ -61,7 +61,11 @@ def command(
         48,
     ),
     colors: Annotated[
-        str, option(help="Palette of the bricks: red (default), yellow, sandstone or gray.")
+        str,
+        option(
+            help="Colors of the bricks: red (default), yellow, sandstone or gray, or your own, as "
+            "'#aa3333,#884422'."
+        ),
     ] = "red",
     mortar: Annotated[
         int | None,
@@ -78,7 +82,7 @@ def command(
         ),
     ] = None,
     lines: Annotated[
-        bool, option(help="In an SVG, draw the joints as lines instead of bricks; default no.")
+        bool, option(help="In a drawing, draw the joints as lines instead of bricks; default no.")
     ] = False,
     seed: Annotated[
         int, option("--seed", help="Seed of the wall and of how bricks look, from 0 on; default 0.")

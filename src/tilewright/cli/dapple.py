@@ -13,7 +13,8 @@ def command(
         option(
             "-o",
             "--output",
-            help="Picture FILE.png or .svg, tiles FILE.npy, or clauses FILE.cnf; default dapple.png.",
+            help="Picture FILE.png, drawing FILE.svg, .pdf or .dxf, tiles FILE.npy, or clauses FILE.cnf; "
+            "default dapple.png.",
         ),
     ] = None,
     width: Annotated[

@@ -13,7 +13,7 @@ def command(
         option(
             "-o",
             "--output",
-            help="Animation FILE.gif or .webp, map FILE.png, or all arrays FILE.npz; default flow.gif.",
+            help="Animation FILE.gif, .webp or .mp4, map FILE.png, or all arrays FILE.npz; default flow.gif.",
         ),
     ] = None,
     width: Annotated[int, option(help="Width in cells; default 40.")] = 40,

@@ -13,8 +13,8 @@ def command(
         option(
             "-o",
             "--output",
-            help="Picture FILE.png, jigsaw puzzle FILE.svg or tile indices FILE.npy; default a PNG named "
-            "after the set.",
+            help="Picture FILE.png, jigsaw puzzle FILE.svg, .pdf or .dxf, or tile indices FILE.npy; default "
+            "a PNG named after the set.",
         ),
     ] = None,
     tiles: Annotated[str, option(help="Kind of tiles: corner (default) or wang.")] = "corner",
@@ -34,6 +34,21 @@ def command(
     engrave: Annotated[
         str, option(help="What is engraved on the pieces of a puzzle: none (default), colors or numbers.")
     ] = "none",
+    kerf: Annotated[
+        float | None,
+        option(
+            help="Width of the laser's cut in millimeters, up to 2 % of a piece: pieces are cut apart, each "
+            "in its nominal size; default one cut between two pieces."
+        ),
+    ] = None,
+    sheet: Annotated[
+        tuple[int, int] | None,
+        option(
+            metavar="W H",
+            help="Lay pieces apart on sheets of W x H millimeters: pages of a PDF, or FILE-1, FILE-2 and so "
+            "on; default one sheet as large as needed.",
+        ),
+    ] = None,
     seed: Annotated[
         int, option("--seed", help="Which packing --method search finds, from 0 on; default 0.")
     ] = 0,
@@ -44,15 +59,18 @@ def command(
 ) -> None:
     """Write a tile packing: every tile of the complete set once, on a torus, neighbors matching.
 
-    FILE.npy holds tile indices, shape (C^2, C^2); FILE.svg is a jigsaw puzzle for a laser cutter, with pieces
-    that fit where colors agree; FILE.png shows the packing.
+    FILE.npy holds tile indices, shape (C^2, C^2); FILE.svg, .pdf or .dxf is a jigsaw puzzle for a
+    laser cutter, with pieces that fit where colors agree; FILE.png shows the packing.
 
     Example: tilewright pack --tiles corner --colors 4 -o packing.npy
 
     Example: tilewright pack --colors 3 --method search --seed 7 --picture photo.jpg -o puzzle.svg
 
+    Example: tilewright pack --colors 3 -o puzzle.pdf --kerf 0.15 --sheet 600x400
+
     Calls tilewright.jobs.PackJob(...).run(). That packs by
     tilewright.packing(tilewright.corner_tiles(colors)), random_packing(...) or recursive_packing(...),
-    counts by count_packings(...), and draws by draw_jigsaw(...) or paint_tiling(...).
+    counts by count_packings(...), and draws by draw_jigsaw(...), draw_jigsaw_sheets(...) or
+    paint_tiling(...).
     """
     perform("PackJob", locals())

@@ -78,6 +78,7 @@ def _numeric_options(command: Callable[..., None]) -> dict[str, _Numeric]:
     found: dict[str, _Numeric] = {}
     for name, parameter in inspect.signature(command).parameters.items():
         annotation, *rest = get_args(parameter.annotation) or (parameter.annotation,)
+        annotation = next((kind for kind in get_args(annotation) if _is_pair(kind)), annotation)
         kinds = {k for k in (get_args(annotation) or (annotation,)) if k in (int, float)}
         if not kinds or list in (getattr(annotation, "__origin__", None),):
             continue

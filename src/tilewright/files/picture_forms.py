@@ -14,7 +14,7 @@ from tilewright.signals.textures.kinds import to_linear
 
 _LOSSY = (".jpg", ".jpeg", ".webp")
 """Formats for looking at, which lose some of what they are given."""
-_FORMATS = (".png", ".tif", ".tiff", ".exr", *_LOSSY)
+FORMATS = (".png", ".tif", ".tiff", ".exr", *_LOSSY)
 
 Convert = Callable[[NDArray[Any]], NDArray[Any]]
 
@@ -39,9 +39,9 @@ def picture_form(path: Path, dtype: np.dtype[Any], channels: int, kind: str) -> 
         Another suffix, floats where a file holds integers, alpha in a JPEG.
     """
     suffix = path.suffix.lower()
-    if suffix not in _FORMATS:
+    if suffix not in FORMATS:
         ends = f"ends in {suffix!r}" if suffix else "has no suffix"
-        raise TilewrightValueError(f"{path} {ends}; allowed are {', '.join(_FORMATS)}", value=path)
+        raise TilewrightValueError(f"{path} {ends}; allowed are {', '.join(FORMATS)}", value=path)
     if suffix == ".exr" and dtype.kind == "u":
         return PictureForm(np.dtype(np.float32), channels, _as_light if kind == "color" else _as_shares)
     if suffix in _LOSSY and dtype.kind == "u":

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.errors import Progress, TilewrightWarning
 from tilewright.jobs.job import Done, Rule, WritingJob
-from tilewright.jobs.outputs import check_suffix, save_by_suffix
+from tilewright.jobs.outputs import DRAWINGS, check_suffix, save_by_suffix
 from tilewright.kernels.compiling import Clock
 
 if TYPE_CHECKING:
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from tilewright.tiles import TileSet
     from tilewright.tilings import Tiling
 
-_SUFFIXES = (".svg", ".png", ".npy")
+_SUFFIXES = (*DRAWINGS, ".png", ".npy")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,8 +26,8 @@ class AperiodicJob(WritingJob):
     Attributes
     ----------
     output : Path, optional
-        ``.svg``, ``.png`` or ``.npy`` (tile indices, or with ``set`` the colors of the tiles); default named
-        after the set.
+        ``.svg``, ``.pdf``, ``.dxf`` (outlines), ``.png`` or ``.npy`` (tile indices, or with ``set``
+        the colors of the tiles); default an SVG named after the set.
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     name : str, optional

@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice, check_int
-from tilewright.errors import Progress, TilewrightFileError
+from tilewright.errors import Progress, TilewrightFileError, TilewrightValueError
 from tilewright.jobs.job import Clash, Done, Rule, WritingJob, useless
-from tilewright.jobs.outputs import save_array
+from tilewright.jobs.outputs import DRAWINGS, save_array
 from tilewright.kernels.compiling import Clock
 from tilewright.seeds import check_seed
 
@@ -33,8 +33,8 @@ class BricksJob(WritingJob):
     Attributes
     ----------
     output : Path, optional
-        ``.png``, ``.tif``: a picture of ``map``; ``.svg``: bricks, or joints with ``lines``; ``.npy``: tiles;
-        without a suffix: a folder of all maps. Default ``wall.png``.
+        ``.png``, ``.tif``: a picture of ``map``; ``.svg``, ``.pdf``, ``.dxf``: bricks, or joints with
+        ``lines``; ``.npy``: tiles; without a suffix: a folder of all maps. Default ``wall.png``.
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     width, height : int, optional
@@ -42,7 +42,8 @@ class BricksJob(WritingJob):
     x, y : int, optional
         First cell, of walls that go on; default (0, 0).
     pattern : str, optional
-        ``"wang"`` (default), ``"running-bond"``, ``"flemish-bond"``, ``"herringbone"`` or ``"basket-weave"``.
+        ``"wang"`` (default), ``"running-bond"``, ``"flemish-bond"``, ``"herringbone"`` or ``"basket-weave"``,
+        or another name of these that `BondBricks` takes.
     positions : int, optional
         Number of places where joints may meet an edge, 2 to 16; default 3.
     longest : tuple of (int, int), optional
@@ -58,7 +59,7 @@ class BricksJob(WritingJob):
     size : tuple of (int, int), optional
         Width and height of a cell in pixels; default (144, 48).
     colors : str, optional
-        Colors of `BrickStyle`; default ``"red"``.
+        Colors of `BrickStyle`, a palette or a text such as ``"#aa3333,#884422"``; default ``"red"``.
     mortar : int, optional
         Pixels between bricks; default by the size.
     bevel : float, optional
@@ -66,7 +67,7 @@ class BricksJob(WritingJob):
     map : str, optional
         What a picture shows: ``"preview"`` (default) or a map of `BrickField`.
     lines : bool, optional
-        Whether an SVG shows the joints as lines; default False.
+        Whether a drawing shows the joints as lines; default False.
     seed : int, optional
         Seed of the wall and of how bricks look; default 0.
 
@@ -102,8 +103,17 @@ class BricksJob(WritingJob):
         Rule(lambda job: job.given("pattern") and job.input, f"{{pattern}} and {{input}} {_CLASH}"),
         *useless(lambda job: job.given("pattern"), "a bond ({pattern})", "positions", "longest"),
         *useless(lambda job: job.kind == ".npy", "a .npy file, which holds tiles", *_LOOK),
-        *useless(lambda job: job.kind in ("", ".svg"), "a folder of all maps or an SVG", "map"),
-        Rule(lambda job: job.lines and job.kind != ".svg", "{lines} is about an SVG; name a FILE.svg"),
+        *useless(
+            lambda job: job.kind in ("", *DRAWINGS), "a folder of all maps or a drawing of lines", "map"
+        ),
+        Rule(
+            lambda job: job.lines and job.kind not in DRAWINGS,
+            "{lines} is about drawings; name a FILE.svg, .pdf or .dxf",
+        ),
+        Rule(
+            lambda job: job.is_region and job.kind == ".dxf" and not job.lines,
+            "a DXF cannot cut bricks at the sides of a region; give {lines}, or name a FILE.pdf",
+        ),
     )
 
     @property
@@ -146,11 +156,12 @@ class BricksJob(WritingJob):
 
     def _check(self) -> None:
         """Numbers that the library would name otherwise, or not see."""
-        from tilewright.fields.bricks.bonds import BONDS
+        from tilewright.fields.bricks.bonds import check_bond
         from tilewright.fields.bricks.field import MAPS
         from tilewright.tilings.domain import LARGEST_CELL
 
-        check_choice("pattern", self.pattern, ("wang", *BONDS))
+        check_bond("pattern", self.pattern, "wang")
+        self._check_kind()
         if self.map is not None:
             check_choice("map", self.map, ("preview", *MAPS))
         for name, values, low, high in (
@@ -165,6 +176,18 @@ class BricksJob(WritingJob):
                 if value is not None:
                     check_int(name, value, low, high)
         check_seed(self.seed)
+
+    def _check_kind(self) -> None:
+        """Refuse an ending that no wall is written with."""
+        from tilewright.files.picture_forms import FORMATS
+
+        known = (*FORMATS, *DRAWINGS, ".npy")
+        if self.kind not in ("", *known):
+            allowed = f"{', '.join(known)}, and none for a folder of all maps"
+            raise TilewrightValueError(
+                f"is {self.target}, which ends in {self.kind!r}; allowed are {allowed}",
+                argument="output", value=self.target, allowed=allowed,
+            )  # fmt: skip
 
     def _lay(self) -> "tuple[Wall, tuple[int, int]]":
         """The wall, and its size in cells."""
@@ -232,10 +255,10 @@ class BricksJob(WritingJob):
     def _draw(
         self, field: "BrickField", window: tuple[int, int, int, int], progress: Progress | None
     ) -> None:
-        from tilewright.export.drawing import draw_wall, save_svg
+        from tilewright.export.drawing import draw_wall, save_drawing
 
-        if self.kind == ".svg":
-            save_svg(self.target, draw_wall(field, *window, mode="lines" if self.lines else "bricks"))
+        if self.kind in DRAWINGS:
+            save_drawing(self.target, draw_wall(field, *window, mode="lines" if self.lines else "bricks"))
         else:
             field.save(self.target, *window, map=self.map or "preview", progress=progress)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from tilewright.checks import check_int, check_real
 from tilewright.errors import Progress, TilewrightFileError, TilewrightValueError
 from tilewright.jobs.job import Done, Rule, WritingJob, useless
-from tilewright.jobs.outputs import check_output, save_by_suffix
+from tilewright.jobs.outputs import DRAWINGS, check_output, save_by_suffix
 from tilewright.kernels.compiling import Clock
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     Cells = NDArray[Any]
 
-_SUFFIXES = (".png", ".svg", ".npy", ".cnf")
+_SUFFIXES = (".png", *DRAWINGS, ".npy", ".cnf")
 _MOST_CELLS = 2**24
 _INK, _PAPER = (29, 29, 38), (250, 245, 232)
 _START = ("input", "dither", "share")
@@ -32,7 +32,8 @@ class DappleJob(WritingJob):
     Attributes
     ----------
     output : Path, optional
-        ``.png``, ``.svg``, ``.npy`` (tiles) or ``.cnf`` (clauses); default ``dapple.png``.
+        ``.png``, ``.svg``, ``.pdf``, ``.dxf`` (outlines), ``.npy`` (tiles) or ``.cnf`` (clauses); default
+        ``dapple.png``.
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     width, height : int, optional

@@ -28,7 +28,8 @@ class FlowJob(WritingJob):
     Attributes
     ----------
     output : Path, optional
-        ``.gif``, ``.webp``: an animation; ``.png``: a ``map``; ``.npz``: all arrays. Default ``flow.gif``.
+        ``.gif``, ``.webp``, ``.mp4``: an animation; ``.png``: a ``map``; ``.npz``: all arrays. Default
+        ``flow.gif``.
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     width, height : int, optional
@@ -172,8 +173,10 @@ class FlowJob(WritingJob):
     def _check(self) -> None:
         """Refuse before the walk what would be refused only after it."""
         from tilewright.export.drawing.flows import fit_size
+        from tilewright.export.drawing.videos import check_videos
 
-        check_output(self.target, (".gif", ".webp", ".png", ".npz"))
+        if check_output(self.target, (".gif", ".webp", ".mp4", ".png", ".npz")) == ".mp4":
+            check_videos()
         check_choice("map", self.map or "density", ("density", "trails"))
         check_choice("color", self.color or "direction", ("direction", "particle"))
         check_real("speed", self.speed, 0.001, 8)

@@ -11,6 +11,9 @@ from tilewright.files.atomic import check_file
 Maker = Callable[[], Any]
 """Makes what a file is to hold: the text of an SVG, the pixels of a picture, an array."""
 
+DRAWINGS = (".svg", ".pdf", ".dxf")
+"""Suffixes of drawings made of lines."""
+
 
 def find_free(name: str) -> Path:
     """The first of ``wall.png``, ``wall-2.png``, ``wall-3.png`` and so on that is not there yet."""
@@ -41,13 +44,17 @@ def check_output(path: Path, allowed: Sequence[str]) -> str:
 
 
 def save_by_suffix(path: Path, makers: Mapping[str, Maker]) -> None:
-    """Write the one that the file's suffix asks for: .svg text, .png pixels or a .npy array."""
-    suffix = check_suffix(path, tuple(makers))
-    made = makers[suffix]()
-    if suffix == ".svg":
-        from tilewright.export.drawing import save_svg
+    """Write the one that the file's suffix asks for: a drawing, .png pixels or a .npy array.
 
-        save_svg(path, made)
+    A .pdf or .dxf holds what is made for an .svg.
+    """
+    allowed = [name for maker in makers for name in (DRAWINGS if maker == ".svg" else (maker,))]
+    suffix = check_suffix(path, allowed)
+    made = makers[".svg" if suffix in DRAWINGS else suffix]()
+    if suffix in DRAWINGS:
+        from tilewright.export.drawing import save_drawing
+
+        save_drawing(path, made)
     elif suffix == ".npy":
         save_array(path, made)
     else:

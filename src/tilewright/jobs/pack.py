@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from tilewright.checks import check_choice
 from tilewright.errors import Progress
-from tilewright.jobs.job import Done, Rule, WritingJob
-from tilewright.jobs.outputs import check_suffix, save_by_suffix
+from tilewright.jobs.job import Done, Rule, WritingJob, useless
+from tilewright.jobs.outputs import DRAWINGS, check_suffix, save_by_suffix
 from tilewright.seeds import check_seed
 
 if TYPE_CHECKING:
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 def _of_a_puzzle(name: str) -> "Rule[PackJob]":
     """A rule for an option that is about the pieces of a puzzle."""
     return Rule(
-        lambda job: job.given(name) and (job.file is None or job.file.suffix.lower() != ".svg"),
-        f"{{{name}}} is about the pieces of a puzzle; give it with a FILE.svg",
+        lambda job: job.given(name) and (job.file is None or job.file.suffix.lower() not in DRAWINGS),
+        f"{{{name}}} is about the pieces of a puzzle; give it with a FILE.svg, .pdf or .dxf",
     )
 
 
@@ -30,8 +30,8 @@ class PackJob(WritingJob):
     Attributes
     ----------
     output : Path, optional
-        ``.png``, ``.svg`` (a puzzle for a laser cutter) or ``.npy`` (tile indices, shape (C^2, C^2)); default
-        named after the set.
+        ``.svg``, ``.pdf``, ``.dxf``: a puzzle for a laser cutter; ``.png``; or ``.npy``: tile indices, shape
+        (C^2, C^2). Default a PNG named after the set.
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     tiles : str, optional
@@ -48,6 +48,12 @@ class PackJob(WritingJob):
         A PNG or JPEG to print on the pieces.
     engrave : str, optional
         What is cut into the pieces: ``"none"`` (default), ``"colors"`` or ``"numbers"``.
+    kerf : float, optional
+        Width of the beam in mm; pieces are then cut apart, each in its nominal size. Default: one cut between
+        two pieces.
+    sheet : tuple of (int, int), optional
+        Width and height in mm of the sheets on which pieces are laid apart: the pages of a ``.pdf``, or files
+        with numbers where there are several; default one sheet, as large as it needs to be.
     seed : int, optional
         Which packing the search finds; default 0.
 
@@ -64,9 +70,22 @@ class PackJob(WritingJob):
     piece_mm: float = 30
     picture: Path | None = None
     engrave: str = "none"
+    kerf: float | None = None
+    sheet: tuple[int, int] | None = None
     seed: int = 0
 
-    RULES: ClassVar[tuple[Rule[Any], ...]] = tuple(_of_a_puzzle(name) for name in ("picture", "engrave"))
+    RULES: ClassVar[tuple[Rule[Any], ...]] = (
+        *(_of_a_puzzle(name) for name in ("picture", "engrave", "kerf", "sheet")),
+        *useless(
+            lambda job: job.file is not None and job.file.suffix.lower() == ".dxf",
+            "a .dxf file, which holds lines",
+            "picture",
+        ),
+        Rule(
+            lambda job: job.is_apart and job.file.suffix.lower() == ".dxf" and job.engrave == "colors",
+            "{engrave} colors are cut to their pieces, which a .dxf cannot; take numbers, or name a FILE.pdf",
+        ),
+    )
 
     @property
     def usual(self) -> str | None:
@@ -78,6 +97,11 @@ class PackJob(WritingJob):
         """Where the packing goes; nowhere where only a count is asked for."""
         return self.output if self.count else self.target
 
+    @property
+    def is_apart(self) -> bool:
+        """Whether the pieces of a puzzle are laid apart."""
+        return self.kerf is not None or self.sheet is not None
+
     def _run(self, progress: Progress | None) -> Done:
         """Count, pack and draw."""
         from tilewright.tiles import corner_tiles, wang_tiles
@@ -86,11 +110,12 @@ class PackJob(WritingJob):
         make = makers[check_choice("tiles", self.tiles, tuple(makers))]
         check_choice("method", self.method, ("closed", "search", "recursive"))
         if self.file is not None:
-            check_suffix(self.file, (".npy", ".svg", ".png"))
+            check_suffix(self.file, (".npy", *DRAWINGS, ".png"))
         check_seed(self.seed)
         tiles = make(self.colors)
         figures: dict[str, Any] = {"tiles": len(tiles)}
         words = []
+        files: tuple[Path, ...] = ()
         if self.count:
             from tilewright.tilings import count_packings
 
@@ -99,10 +124,13 @@ class PackJob(WritingJob):
         if self.file is not None:
             packed = self._pack(tiles, progress)
             width, height = (p or 0 for p in packed.domain.periods)
-            self._save(packed, self.file, (width, height))
+            files = self._save(packed, self.file, (width, height))
             figures |= {"file": str(self.file), "size": [width, height]}
             words.append(f"{self.file}: {len(tiles)} tiles, {width} x {height}")
-        return Done(() if self.file is None else (self.file,), figures, "\n".join(words))
+            if self.is_apart:
+                figures["files"] = [str(file) for file in files]
+                words[-1] = f"{', '.join(figures['files'])}: {len(tiles)} pieces, {width} x {height}"
+        return Done(files, figures, "\n".join(words))
 
     def _pack(self, tiles: "TileSet", progress: Progress | None) -> "Tiling":
         from tilewright.tilings import packing, random_packing, recursive_packing
@@ -111,10 +139,13 @@ class PackJob(WritingJob):
             return random_packing(tiles, seed=self.seed, progress=progress)
         return packing(tiles) if self.method == "closed" else recursive_packing(tiles)
 
-    def _save(self, packed: "Tiling", file: Path, size: tuple[int, int]) -> None:
+    def _save(self, packed: "Tiling", file: Path, size: tuple[int, int]) -> tuple[Path, ...]:
+        """Write the packing; the files that it went to."""
         from tilewright.export.drawing import draw_jigsaw, paint_tiling
 
         look: dict[str, Any] = {"piece": self.piece_mm, "picture": self.picture, "engrave": self.engrave}
+        if self.is_apart:
+            return self._save_apart(packed, file, look)
         save_by_suffix(
             file,
             {
@@ -123,3 +154,20 @@ class PackJob(WritingJob):
                 ".npy": lambda: packed.indices(0, 0, *size),
             },
         )
+        return (file,)
+
+    def _save_apart(self, packed: "Tiling", file: Path, look: dict[str, Any]) -> tuple[Path, ...]:
+        """The pieces apart: pages of a PDF, or a file for each sheet, numbered where there are several."""
+        from tilewright.export.drawing import draw_jigsaw_sheets, save_drawing
+
+        sheets = draw_jigsaw_sheets(packed, kerf=self.kerf or 0, sheet=self.sheet, **look)
+        if len(sheets) == 1 or file.suffix.lower() == ".pdf":
+            save_drawing(file, sheets)
+            return (file,)
+        files = tuple(file.with_stem(f"{file.stem}-{number}") for number in range(1, len(sheets) + 1))
+        for one in files:
+            if not self.force:
+                self._keep(one)
+        for one, drawing in zip(files, sheets, strict=True):
+            save_drawing(one, drawing)
+        return files

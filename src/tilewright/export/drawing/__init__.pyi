@@ -7,9 +7,15 @@ from .flows import (
     draw_trails as draw_trails,
     save_animation as save_animation,
 )
+from .formats import (
+    save_drawing as save_drawing,
+)
 from .jigsaw import (
     Jigsaw as Jigsaw,
     draw_jigsaw as draw_jigsaw,
+)
+from .sheets import (
+    draw_jigsaw_sheets as draw_jigsaw_sheets,
 )
 from .svg import (
     save_svg as save_svg,

@@ -8,11 +8,12 @@ from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_int, check_progress, check_real, check_type
 from tilewright.errors import Progress
+from tilewright.export.drawing.videos import check_videos, write_video
 from tilewright.files.atomic import AnyPath, as_path, whole_file
 from tilewright.flows.flow import Flow
 from tilewright.pixels import read_hex
 
-SUFFIXES = (".gif", ".webp")
+SUFFIXES = (".gif", ".webp", ".mp4")
 _MOST_PIXELS = 2**24
 _MOST_ANIMATED = 2**29
 _MOST_DOTS = 2**24
@@ -40,12 +41,13 @@ def save_animation(
     rate: int = 25,
     progress: Progress | None = None,
 ) -> None:
-    """Write a flow as an animated GIF or WebP: a picture for each frame, repeated for ever.
+    """Write a flow as an animated GIF or WebP, repeated for ever, or as an MP4: a picture for each frame.
 
     Parameters
     ----------
     path : str or path-like
-        ``FILE.gif``: one palette for all frames, so that nothing flickers; or ``FILE.webp``.
+        ``FILE.gif``: one palette for all frames, so that nothing flickers; ``FILE.webp``; or
+        ``FILE.mp4`` (H.264), which needs the package imageio-ffmpeg.
     flow : Flow
         Up to 2^24 particles times frames. Trails look best where particles go half a cell or less from
         frame to frame.
@@ -79,6 +81,8 @@ def save_animation(
     check_int("rate", rate, 1, 50)
     check_progress(progress)
     _check_flow(flow)
+    if suffix == ".mp4":
+        check_videos()
     count = len(flow.times)
     painter = _Painter(flow, fit_size(flow.cells.shape, size, count), color, trail)
     fade = np.minimum(1, (np.minimum(np.arange(count), np.arange(count)[::-1]) + 1) / min(_FADE, count))
@@ -91,6 +95,10 @@ def save_animation(
             picture = painter.picture(float(fade[frame]))
             yield picture if suffix == ".gif" else picture.convert("RGB")
 
+    if suffix == ".mp4":
+        with whole_file(path) as unfinished:
+            write_video(unfinished, map(np.asarray, pictures()), painter.base.shape, rate)
+        return
     rest = pictures()
     first = next(rest)
     # What has not changed since the last frame is written as transparent.

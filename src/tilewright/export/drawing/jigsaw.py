@@ -34,7 +34,7 @@ _STEP = np.pi / 15
 """Arcs are made of straight lines that turn by this; 0.02 mm off in a piece of 30 mm."""
 _BLEED = 0.05
 """How far the picture goes on around the frame."""
-_THIN = 0.1
+THIN = 0.1
 """Millimeters: just wide enough to be seen on a screen."""
 
 
@@ -137,6 +137,20 @@ class Jigsaw:
         south, west = self.edge(x, y + 1, False)[::-1], self.edge(x, y, True)[::-1]
         return _joined(iter((north, east, south, west)))[:-1]
 
+    @property
+    def board(self) -> Line:
+        """The border of all pieces together, as that of a piece."""
+        sides = self.row(0), self.column(self.width), self.row(self.height)[::-1], self.column(0)[::-1]
+        return _joined(iter(sides))[:-1]
+
+    @property
+    def frame(self) -> Line:
+        """The outside of the frame, with round corners, as the border of a piece."""
+        bleed, (width, height) = _BLEED * self.piece, self.sheet
+        corners = ((width - bleed, bleed), (width - bleed, height - bleed), (bleed, height - bleed))
+        start = (width / 2, bleed)
+        return _rounded([start, *corners, (bleed, bleed), start], self.piece / 6)[:-1]
+
     def edge(self, x: int, y: int, down: bool) -> Line:
         """Give the cut between two neighboring lattice points.
 
@@ -222,7 +236,7 @@ def draw_jigsaw(
     layers = [
         element("g", *print_of(picture, width, height), id="picture"),
         element("g", *marks, id="engrave"),
-        element("g", *_cuts(puzzle), id="cut", fill="none", stroke="#ff0000", stroke_width=_THIN),
+        element("g", *_cuts(puzzle), id="cut", fill="none", stroke="#ff0000", stroke_width=THIN),
     ]
     return document(layers, width, height, unit="mm")
 
@@ -240,18 +254,27 @@ def _cuts(puzzle: Jigsaw) -> Iterator[str]:
 
 def _color_marks(puzzle: Jigsaw) -> Iterator[str]:
     """A diamond on every edge, or a disc on every corner, in the color that the library's pictures show."""
-    at = (np.indices((puzzle.width + 1, puzzle.height + 1)) + _MARGIN) * puzzle.piece
-    half = puzzle.piece / 2
-    for x, y in np.ndindex(at.shape[1:]):
-        left, top = at[:, x, y]
-        slots = puzzle._slots[y, x]
-        if puzzle.tiling.tiles.shape is CORNER:
-            yield element("circle", cx=left, cy=top, r=puzzle.piece * 0.1, fill=color_of(slots[3]))
-            continue
-        if x < puzzle.width:
-            yield _diamond(left + half, top, puzzle.piece * 0.1, slots[0])
-        if y < puzzle.height:
-            yield _diamond(left, top + half, puzzle.piece * 0.1, slots[3])
+    for x, y in np.ndindex(puzzle.width + 1, puzzle.height + 1):
+        yield from _marks_from(puzzle, x, y)
+
+
+def color_marks_at(puzzle: Jigsaw, x: int, y: int) -> Iterator[str]:
+    """The marks of a piece, whole, and some of its neighbors."""
+    for across, down in np.ndindex(2, 2):
+        yield from _marks_from(puzzle, x + across, y + down)
+
+
+def _marks_from(puzzle: Jigsaw, x: int, y: int) -> Iterator[str]:
+    """The marks at a lattice point, and on the edges that begin there."""
+    left, top = (x + _MARGIN) * puzzle.piece, (y + _MARGIN) * puzzle.piece
+    slots, half = puzzle._slots[y, x], puzzle.piece / 2
+    if puzzle.tiling.tiles.shape is CORNER:
+        yield element("circle", cx=left, cy=top, r=puzzle.piece * 0.1, fill=color_of(slots[3]))
+        return
+    if x < puzzle.width:
+        yield _diamond(left + half, top, puzzle.piece * 0.1, slots[0])
+    if y < puzzle.height:
+        yield _diamond(left, top + half, puzzle.piece * 0.1, slots[3])
 
 
 def _diamond(x: float, y: float, r: float, color: int) -> str:
@@ -260,17 +283,20 @@ def _diamond(x: float, y: float, r: float, color: int) -> str:
 
 def _number_marks(puzzle: Jigsaw) -> Iterator[str]:
     """The index of the tile on every piece, upright where the piece is."""
-    cells = puzzle.tiling.indices(0, 0, puzzle.width, puzzle.height)
-    for y, x in np.ndindex(cells.shape):
-        left, top = (x + _MARGIN + 0.54) * puzzle.piece, (y + _MARGIN + 0.6) * puzzle.piece
-        yield text(
-            str(cells[y, x]),
-            x=left,
-            y=top,
-            font_size=puzzle.piece * 0.15,
-            text_anchor="middle",
-            font_family="sans-serif",
-        )
+    for y, x in np.ndindex(puzzle.height, puzzle.width):
+        yield from number_mark_at(puzzle, x, y)
+
+
+def number_mark_at(puzzle: Jigsaw, x: int, y: int) -> Iterator[str]:
+    """The index of the tile of one piece."""
+    yield text(
+        str(puzzle.tiling.indices(x, y, 1, 1)[0, 0]),
+        x=(x + _MARGIN + 0.54) * puzzle.piece,
+        y=(y + _MARGIN + 0.6) * puzzle.piece,
+        font_size=puzzle.piece * 0.15,
+        text_anchor="middle",
+        font_family="sans-serif",
+    )
 
 
 def _check_tiling(tiling: Tiling) -> tuple[int, int]:

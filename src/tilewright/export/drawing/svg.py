@@ -91,5 +91,10 @@ def save_svg(path: AnyPath, drawing: str) -> Path:
     return target
 
 
+def number(value: float) -> str:
+    """A number with up to four decimals."""
+    return np.format_float_positional(value, precision=4, trim="-")
+
+
 def _text(value: str | float) -> str:
-    return value if isinstance(value, str) else np.format_float_positional(value, precision=4, trim="-")
+    return value if isinstance(value, str) else number(value)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_int, type_error
+from tilewright.checks import check_int, type_error
 from tilewright.errors import TilewrightValueError
 from tilewright.fields.bricks.patterns import SIZE, BrickPattern, Range, check_size
 from tilewright.tilings import Domain
@@ -26,7 +26,8 @@ class BondBricks(BrickPattern):
     bond : str
         ``"running-bond"``: courses shifted by half a brick. ``"flemish-bond"``: bricks and half bricks in
         turn. ``"herringbone"``: bricks at right angles, in zigzags. ``"basket-weave"``: as many bricks as
-        make a square, turned from square to square.
+        make a square, turned from square to square. Names of `ALIASES` will do too, such as
+        ``"stretcher-bond"`` or ``"subway"``.
     size : (int, int), optional
         Width and height of a brick in pixels, with half the mortar around it; default (144, 48). The width is
         a multiple of 2 (running) or 4 (flemish), or of the height (herringbone, basket weave).
@@ -56,7 +57,7 @@ class BondBricks(BrickPattern):
     def __init__(
         self, bond: str, size: tuple[int, int] = SIZE, period: tuple[int | None, int | None] = (None, None)
     ) -> None:
-        check_choice("bond", bond, tuple(BONDS))
+        bond = check_bond("bond", bond)
         self._bond = BONDS[bond]
         width, self.course = check_size("size", size)
         parts = self._bond.parts
@@ -155,6 +156,29 @@ BONDS = {
     "herringbone": Bond(None, None, 1, _herringbone),
     "basket-weave": Bond(None, None, 1, _basket),
 }
+ALIASES = {
+    "running": "running-bond",
+    "stretcher": "running-bond",
+    "stretcher-bond": "running-bond",
+    "half-bond": "running-bond",
+    "subway": "running-bond",
+    "flemish": "flemish-bond",
+    "herringbone-90": "herringbone",
+    "basketweave": "basket-weave",
+    "basket": "basket-weave",
+}
+"""Other names that bricklayers and tilers use; a herringbone is laid along the sides, not at 45 degrees."""
+
+
+def check_bond(name: str, value: str, *others: str) -> str:
+    """The name of a bond by which `BONDS` knows it; ``others`` are allowed beside them."""
+    known = ALIASES.get(value, value) if isinstance(value, str) else value
+    if known not in BONDS and known not in others:
+        allowed = ", ".join((*others, *BONDS))
+        raise TilewrightValueError(
+            argument=name, value=value, allowed=allowed, advice=f"or by another name: {', '.join(ALIASES)}"
+        )
+    return known
 
 
 def _fold(units: Units, period: int | None) -> Units:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.checks import check_choice, check_int, check_real, range_error
+from tilewright.checks import check_int, check_real, range_error
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.pixels import read_hex
 
@@ -66,8 +66,9 @@ class BrickStyle:
     Parameters
     ----------
     colors : str or sequence of (red, green, blue), optional
-        ``"red"`` (default), ``"yellow"``, ``"sandstone"`` or ``"gray"``, or colors of your own, whole numbers
-        0 to 255 in sRGB; each brick gets one of them or a mixture of two.
+        ``"red"`` (default), ``"yellow"``, ``"sandstone"`` or ``"gray"``, or colors of your own: a text such
+        as ``"#aa3333,#884422"``, or whole numbers 0 to 255 in sRGB; each brick gets one of them or a mixture
+        of two.
     mortar_color : (red, green, blue) or None, optional
         Whole numbers 0 to 255 in sRGB; by default the palette's own.
     mortar : int or None, optional
@@ -111,8 +112,13 @@ class BrickStyle:
     grain: float = 1.0
 
     def __post_init__(self) -> None:
-        if isinstance(self.colors, str):
-            check_choice("colors", self.colors, tuple(PALETTES))
+        if isinstance(self.colors, str) and self.colors.startswith("#"):
+            named = (read_hex(word.strip()) for word in self.colors.split(","))
+            object.__setattr__(self, "colors", tuple(named))
+        elif isinstance(self.colors, str):
+            if self.colors not in PALETTES:
+                allowed = f"{', '.join(PALETTES)}, or colors as '#aa3333,#884422'"
+                raise TilewrightValueError(argument="colors", value=self.colors, allowed=allowed)
         else:
             object.__setattr__(self, "colors", _check_colors("colors", self.colors))
         if self.mortar_color is not None:
