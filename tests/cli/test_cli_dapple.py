@@ -193,7 +193,7 @@ def test_arcs_and_strokes_join_what_they_should():
         (["--colors", "#ff0000"], "the 2 tiles need 2"),
         (["--motif", "arcs", "--tiles", "3"], "arcs are of two tiles"),
         (["--pins", "missing.npy"], "missing.npy does not exist"),
-        (["-o", "a.jpg"], "allowed are .png, .svg, .npy, .cnf"),
+        (["-o", "a.jpg"], "allowed are .png, .svg, .pdf, .dxf, .npy, .cnf"),
     ],
 )
 def test_what_cannot_be_is_refused_in_a_line(arguments, message, tmp_path, monkeypatch):

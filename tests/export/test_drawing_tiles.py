@@ -170,7 +170,7 @@ def test_the_command_tiles_with_a_set_of_ones_own(tmp_path, capsys):
     [
         (None, ["nonesuch"], "NAME is 'nonesuch'; allowed are culik-13"),
         (None, ["penrose-32"], "only its size is known here"),
-        (None, ["kari-14", "-o", "a.txt"], "which ends in '.txt'; allowed are .svg, .png, .npy"),
+        (None, ["kari-14", "-o", "a.txt"], "which ends in '.txt'; allowed are .svg, .pdf, .dxf, .png, .npy"),
         (None, ["kari-14", "--to", "sideways"], "construction is 'sideways'"),
         (None, ["culik-13", "--to", "horizontal"], "horizontal translation fails"),
         (None, ["kari-14", "--period", 0, 4], "width is 0; allowed are 1 to 64"),

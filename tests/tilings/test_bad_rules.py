@@ -130,7 +130,7 @@ COMMANDS = {
     "--size is 0": "bricks --size 0 0",
     "--map is 'foo'": "bricks -o z.png --map foo",
     "--map has no use with a .npy file": "bricks -o z.npy --map id",
-    "--lines is about an SVG": "bricks --lines",
+    "--lines is about drawings": "bricks --lines",
     "seed is -1": "pack --seed -1",
     "--engrave is about": "pack -o z.npy --engrave colors",
     "--limit is 'H2'": "flow --limit H2=3",

@@ -117,10 +117,10 @@ def read_drawing(text: str) -> Drawing:
     return Drawing(width, height, shown / width, tuple(layers), reader.symbols)
 
 
-def turn_of(across: float, radius: float, large: bool, sweep: bool) -> float:
-    """How far an arc turns whose ends are so far from each other; positive from x towards y."""
+def turn_of(across: float, radius: float, sweep: bool) -> float:
+    """How far an arc, of half a circle at most, turns between ends so far apart; positive from x to y."""
     turn = 2 * asin(min(1.0, across / (2 * radius)))
-    return (2 * pi - turn if large else turn) * (1 if sweep else -1)
+    return turn if sweep else -turn
 
 
 def box(x: float, y: float, width: float, height: float, radius: float = 0) -> Steps:
@@ -233,7 +233,7 @@ def _parsed(path: str, left: float, top: float) -> Iterator[Step]:
         if kind == "M":
             first_x, first_y = x, y
         if kind in "Aa":
-            turn = turn_of(hypot(x - start_x, y - start_y), numbers[0], numbers[3] > 0, numbers[4] > 0)
+            turn = turn_of(hypot(x - start_x, y - start_y), numbers[0], numbers[4] > 0)
             yield Step("A", x + left, y + top, numbers[0], turn)
         else:
             yield Step("M" if kind == "M" else "L", x + left, y + top)
