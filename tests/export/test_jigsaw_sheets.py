@@ -21,6 +21,8 @@ BOARDS = {
     "corner 4": tw.packing(tw.corner_tiles(4)),
 }
 
+pytestmark = pytest.mark.filterwarnings("ignore:the frame")
+
 
 def away(points, line):
     """The distance of each point from a closed line."""
@@ -85,6 +87,11 @@ def test_all_is_cut_once_on_the_sheets_and_apart(sheet):
             assert (low - high).max() > 1.99
     assert found == (18 if sheet != (100, 90) else 16)  # with the frame, of two lines, where it fits
     assert len(drawings) == {None: 1, (300, 200): 2, (100, 90): 4}[sheet]
+
+
+def test_a_frame_that_no_sheet_holds_is_told():
+    with pytest.warns(tw.TilewrightWarning, match="the frame, .* mm, is larger than a sheet and left out"):
+        tw.draw_jigsaw_sheets(BOARDS["wang 2"], sheet=(100, 90))
 
 
 def test_pictures_and_engravings_go_with_their_piece(tmp_path):

@@ -1,5 +1,6 @@
 """Pieces of puzzles laid apart on sheets, each cut along its own line, half a beam's width outside of it."""
 
+import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
@@ -7,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.checks import check_choice, check_real, type_error
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightValueError, TilewrightWarning
 from tilewright.export.drawing.jigsaw import ENGRAVINGS, THIN, Jigsaw, color_marks_at, number_mark_at
 from tilewright.export.drawing.prints import print_of
 from tilewright.export.drawing.svg import document, element, path_of
@@ -100,6 +101,11 @@ def draw_jigsaw_sheets(
     TilewrightFileError
         The picture cannot be read.
 
+    Warns
+    -----
+    TilewrightWarning
+        The frame is left out.
+
     Notes
     -----
     Lagae 2007, section 5.5.4, has the puzzles; cutting them apart is our own.
@@ -162,6 +168,16 @@ def _parts(puzzle: Jigsaw, kerf: float) -> list[Part]:
     return [*pieces, Part(frame, None)]
 
 
+def _note_frame(frame: Part) -> None:
+    """Say that the frame is not among what is cut."""
+    width, height = frame.size
+    warnings.warn(
+        f"the frame, {width:.0f} x {height:.0f} mm, is larger than a sheet and left out",
+        TilewrightWarning,
+        stacklevel=5,
+    )
+
+
 def _laid(
     parts: list[Part], puzzle: Jigsaw, sheet: tuple[float, float] | None
 ) -> tuple[list[Place], list[tuple[float, float]]]:
@@ -177,6 +193,7 @@ def _laid(
         width, height = part.size
         if width + 2 * _APART > room[0] or height + 2 * _APART > room[1]:
             if part.cell is None:
+                _note_frame(part)
                 continue
             raise TilewrightValueError(
                 f"is {room[0]:g} x {room[1]:g} mm; a piece with its tabs and 2 mm around it needs "
