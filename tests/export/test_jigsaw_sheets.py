@@ -46,7 +46,8 @@ def cuts(drawing):
 @pytest.mark.parametrize("kerf", [0.15, 0.6])
 def test_a_cut_keeps_half_a_kerf_from_its_piece(board, kerf):
     puzzle = tw.Jigsaw(BOARDS[board], 30)
-    lines = [puzzle.outline(x, y) for x in range(min(4, puzzle.width)) for y in range(puzzle.height)]
+    rows = range(0, puzzle.height, max(1, puzzle.height // 4))
+    lines = [puzzle.outline(x, y) for x in range(min(2, puzzle.width)) for y in rows]
     for line, by in [*((line, kerf / 2) for line in lines), (puzzle.board, -kerf / 2), (puzzle.frame, 0.1)]:
         cut = widened(line, by)
         middles = (cut + np.roll(cut, -1, axis=0)) / 2

@@ -245,7 +245,7 @@ def test_the_command(tmp_path, capsys, monkeypatch):
     for arguments, message in (
         (("--colors", 3, "--count"), "packings are counted for up to 16"),
         (("--method", "luck", "-o", tmp_path / "q.npy"), "allowed are closed, search, recursive"),
-        (("-o", tmp_path / "p.gif"), "allowed are .npy, .svg, .png"),
+        (("-o", tmp_path / "p.gif"), "allowed are .npy, .svg, .pdf, .dxf, .png"),
         (("--picture", "a.png", "-o", tmp_path / "q.npy"), "give it with a FILE.svg"),
     ):
         code, said = call("pack", *arguments)

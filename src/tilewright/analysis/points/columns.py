@@ -29,7 +29,7 @@ class Column(NamedTuple):
 
 
 COLUMNS = (
-    Column("method", "method", "name, as --methods takes it"),
+    Column("method", "method", "name, as methods takes it"),
     Column("count", "points", "points of a set, mean"),
     Column("milliseconds", "ms", "milliseconds for a set, once what is built is there", -1),
     Column("construction_seconds", "built, s", "seconds for what is built once; - where nothing is"),
