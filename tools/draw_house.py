@@ -22,6 +22,7 @@ HOLDS = {
     "signals": "what a tile holds",
     "tilings": "which tile goes where",
     "samplers": "points without tiles",
+    "domains": "meshes and surfaces",
     "tiles": "what may meet",
     "kernels": "compiled loops",
     "pixels": "channels and colors",

@@ -114,7 +114,7 @@ class Mesh(Alike):
             corners = as_integers("faces", faces)
             return cls(vertices, corners.ravel(), np.arange(len(corners) + 1) * corners.shape[1])  # type: ignore[arg-type]
         try:
-            rows: list[Any] = [list(face) for face in faces]  # type: ignore[union-attr]
+            rows: list[Any] = [list(face) for face in faces]  # type: ignore[union-attr,arg-type]
         except TypeError:
             raise TilewrightTypeError(
                 "must be a table of vertex numbers or a list of such rows", argument="faces", value=faces
