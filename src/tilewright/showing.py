@@ -111,10 +111,10 @@ def describe_record(record: Any) -> str:
     return describe(record, *(f"{f.name} {_brief(getattr(record, f.name))}" for f in fields(record)))
 
 
-def many(count: float, one: str) -> str:
-    """``1 tile``, ``16 tiles``, ``1,048,576 points``."""
+def many(count: float, one: str, more: str = "") -> str:
+    """``1 tile``, ``16 tiles``, ``1,048,576 points``; ``more``: the plural, if not made with an s."""
     number = f"{int(count):,}" if count == int(count) else f"{count:,}"
-    return f"{number} {one}{'' if count == 1 else 's'}"
+    return f"{number} {one if count == 1 else more or one + 's'}"
 
 
 def _brief(value: Any) -> str:

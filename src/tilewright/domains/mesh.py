@@ -107,8 +107,10 @@ class Mesh(Alike):
 
         Raises
         ------
-        TilewrightTypeError, TilewrightValueError
-            As `Mesh` raises them.
+        TilewrightTypeError
+            Faces that are no rows of numbers, vertices that are no numbers.
+        TilewrightValueError
+            As `Mesh` raises it.
         """
         if isinstance(faces, np.ndarray) and faces.ndim == 2:
             corners = as_integers("faces", faces)
@@ -138,12 +140,7 @@ class Mesh(Alike):
     def __repr__(self) -> str:
         sizes = sorted(set(self.sizes.tolist()))
         of = f"of {sizes[0]} corners" if len(sizes) == 1 else f"of {sizes[0]} to {sizes[-1]} corners"
-        return describe(
-            self,
-            "1 vertex" if len(self.vertices) == 1 else f"{len(self.vertices)} vertices",
-            many(len(self), "face"),
-            of,
-        )
+        return describe(self, many(len(self.vertices), "vertex", "vertices"), many(len(self), "face"), of)
 
 
 def _as_vertices(given: Any) -> NDArray[np.float64]:

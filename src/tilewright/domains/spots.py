@@ -31,10 +31,32 @@ class Spots(Alike):
         return Spots(self.triangles[which], self.weights[which])
 
     def positions(self, surface: Surface) -> NDArray[np.float64]:
-        """Where they are in space, float64, shape (n, 3)."""
+        """Tell where they are in space.
+
+        Parameters
+        ----------
+        surface : Surface
+            The surface that they lie on.
+
+        Returns
+        -------
+        float64 array, shape (n, 3)
+            Positions, in the units of its vertices.
+        """
         corners = surface.vertices[surface.triangles[self.triangles]]
         return np.einsum("nk,nkd->nd", self.weights, corners)
 
     def normals(self, surface: Surface) -> NDArray[np.float64]:
-        """The normals of their triangles, float64, shape (n, 3)."""
+        """Tell the normals of their triangles.
+
+        Parameters
+        ----------
+        surface : Surface
+            The surface that they lie on.
+
+        Returns
+        -------
+        float64 array, shape (n, 3)
+            Outward unit normals.
+        """
         return surface.normals[self.triangles]
