@@ -11,6 +11,11 @@ from .cubes import (
     corner_cubes as corner_cubes,
     wang_cubes as wang_cubes,
 )
+from .dual import (
+    canonical_slots as canonical_slots,
+    count_dual_tiles as count_dual_tiles,
+    list_dual_tiles as list_dual_tiles,
+)
 from .families import (
     cohen_tiles as cohen_tiles,
     column_corner_tiles as column_corner_tiles,

@@ -1,0 +1,5 @@
+"""Points and pictures over surfaces: dual tiles laid on a mesh, and what comes of them."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

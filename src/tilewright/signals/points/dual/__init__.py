@@ -1,0 +1,5 @@
+"""Poisson disk tiles of any number of corners, for surfaces."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
