@@ -50,6 +50,10 @@ from .points.spectrum import (
     power_spectrum as power_spectrum,
     spectrum_size as spectrum_size,
 )
+from .surfaces.report import (
+    SurfaceReport as SurfaceReport,
+    analyze_surface as analyze_surface,
+)
 from .textures.comparison import (
     METHOD_MEANING as METHOD_MEANING,
     compare_textures as compare_textures,
