@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from small_surfaces import box, grid, random_spots, spots_at, torus
-from tilewright.analysis.surfaces.holes import count_evenness, look_around, widest_hole
+from tilewright.analysis.surfaces.geodesics import Ways
+from tilewright.analysis.surfaces.holes import Holes, count_evenness, look_around
 from tilewright.analysis.surfaces.neighbors import share_of_six
 from tilewright.analysis.surfaces.places import spread_places, walk
 from tilewright.analysis.surfaces.report import analyze_surface
@@ -51,9 +52,9 @@ def test_the_hole_is_the_one_that_many_places_find():
     from scipy.spatial import cKDTree
 
     surface = torus(20, 9)
-    spots = random_spots(surface, 60, 4)
+    spots = random_spots(surface, 300, 4)
     tree = cKDTree(spots.positions(surface))
-    found = widest_hole(surface, tree, look_around(surface, 60))
+    found = Holes(surface, spots, tree, Ways(surface, spots)).widest(look_around(surface, 300))
     plain = tree.query(random_spots(surface, 200_000, 1).positions(surface))[0].max()
     assert plain <= found <= plain * 1.02
 

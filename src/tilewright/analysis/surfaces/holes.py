@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.analysis.surfaces.geodesics import Ways
 from tilewright.analysis.surfaces.places import spread_places, walk
 from tilewright.domains.spots import Spots
 from tilewright.domains.surface import Surface
@@ -14,9 +15,11 @@ if TYPE_CHECKING:
 
 SAMPLES = 16
 """Places that are looked at for each point."""
-_FEWEST, _MOST = 20_000, 4_000_000
-_WORST, _ROUNDS, _DIRECTIONS = 64, 8, 8
+_FEWEST, _MOST = 8_000, 4_000_000
+_WORST, _ROUNDS, _DIRECTIONS = 32, 8, 6
 """How many of the worst places climb to where it is worse still, how often, in how many directions."""
+_OTHER_SHEET = -0.2
+"""Cosine of the angle of two normals below which points are taken to lie on different sheets."""
 CELLS = 64
 """Cells of about equal area in which points are counted."""
 _EXPECTED = 5
@@ -28,38 +31,51 @@ def look_around(surface: Surface, count: int) -> Spots:
     return spread_places(surface, min(max(SAMPLES * count, _FEWEST), _MOST))
 
 
-def widest_hole(surface: Surface, tree: "cKDTree", places: Spots) -> float:
-    """The greatest distance in space from a place of the surface to its nearest point.
+class Holes:
+    """How far places of a surface are from the nearest of its points.
 
-    Found among the places, and by climbing from the worst of them.
+    It is told in space, but along the surface where the nearest point in space is on another sheet of a thin
+    part, as its normal shows.
     """
-    distances = tree.query(places.positions(surface))[0]
-    worst = np.argsort(distances)[-_WORST:]
-    return float(_climb(surface, tree, places[worst], distances[worst], len(places)).max())
 
+    def __init__(self, surface: Surface, spots: Spots, tree: "cKDTree", ways: Ways) -> None:
+        self._surface, self._tree, self._ways = surface, tree, ways
+        self._normals = spots.normals(surface)
 
-def _climb(
-    surface: Surface, tree: "cKDTree", places: Spots, distances: NDArray[np.float64], count: int
-) -> NDArray[np.float64]:
-    """Distances after steps to whichever place around is worst, each half as long where none is worse."""
-    reach = np.full(len(places), np.sqrt(surface.area / count), np.float64)
-    angles = np.arange(_DIRECTIONS) * (2 * np.pi / _DIRECTIONS)
-    for _ in range(_ROUNDS):
-        steps = _ring(places.normals(surface), angles) * reach[:, np.newaxis, np.newaxis]
-        starts = Spots(places.triangles.repeat(_DIRECTIONS), places.weights.repeat(_DIRECTIONS, axis=0))
-        ends = walk(surface, starts, steps.reshape(-1, 3))
-        found = tree.query(ends.positions(surface))[0].reshape(-1, _DIRECTIONS)
-        best = found.argmax(axis=1)
-        farthest = found[np.arange(len(best)), best]
-        worse = farthest > distances
-        chosen = ends[np.arange(len(best)) * _DIRECTIONS + best]
-        places = Spots(
-            np.where(worse, chosen.triangles, places.triangles),
-            np.where(worse[:, np.newaxis], chosen.weights, places.weights),
-        )
-        distances = np.maximum(distances, farthest)
-        reach[~worse] /= 2
-    return distances
+    def widest(self, places: Spots) -> float:
+        """The greatest distance, found among the places and by climbing from the worst of them."""
+        distances = self._measure(places)
+        worst = np.argsort(distances)[-_WORST:]
+        return float(self._climb(places[worst], distances[worst], len(places)).max())
+
+    def _measure(self, places: Spots) -> NDArray[np.float64]:
+        distances, nearest = self._tree.query(places.positions(self._surface))
+        facing = np.einsum("nd,nd->n", self._normals[nearest], places.normals(self._surface))
+        beyond = np.flatnonzero(facing < _OTHER_SHEET)
+        distances[beyond] = self._ways.from_places(places[beyond], distances[beyond])[0]
+        return distances
+
+    def _climb(self, places: Spots, distances: NDArray[np.float64], count: int) -> NDArray[np.float64]:
+        """Distances after steps to whichever place around is worst, each half as long where none is worse."""
+        surface = self._surface
+        reach = np.full(len(places), np.sqrt(surface.area / count), np.float64)
+        angles = np.arange(_DIRECTIONS) * (2 * np.pi / _DIRECTIONS)
+        for _ in range(_ROUNDS):
+            steps = _ring(places.normals(surface), angles) * reach[:, np.newaxis, np.newaxis]
+            starts = Spots(places.triangles.repeat(_DIRECTIONS), places.weights.repeat(_DIRECTIONS, axis=0))
+            ends = walk(surface, starts, steps.reshape(-1, 3))
+            found = self._measure(ends).reshape(-1, _DIRECTIONS)
+            best = found.argmax(axis=1)
+            farthest = found[np.arange(len(best)), best]
+            worse = farthest > distances
+            chosen = ends[np.arange(len(best)) * _DIRECTIONS + best]
+            places = Spots(
+                np.where(worse, chosen.triangles, places.triangles),
+                np.where(worse[:, np.newaxis], chosen.weights, places.weights),
+            )
+            distances = np.maximum(distances, farthest)
+            reach[~worse] /= 2
+        return distances
 
 
 def _ring(normals: NDArray[np.float64], angles: NDArray[np.floating]) -> NDArray[np.float64]:

@@ -1,11 +1,12 @@
 """All figures of points on a surface (Li et al. 2010, section V.B)."""
 
 from dataclasses import dataclass
-from math import sqrt
+from math import inf, sqrt
 
 import numpy as np
 
-from tilewright.analysis.surfaces.holes import count_evenness, look_around, widest_hole
+from tilewright.analysis.surfaces.geodesics import Ways
+from tilewright.analysis.surfaces.holes import Holes, count_evenness, look_around
 from tilewright.analysis.surfaces.neighbors import share_of_six
 from tilewright.analysis.surfaces.verdict import judge_surface
 from tilewright.checks import check_type, shape_error
@@ -26,7 +27,7 @@ _MEANING = {
     "rho_space": ("2 r_max", "least distance of two points, straight through space"),
     "rho_surface": ("2 r_max", "the same along the surface; r_max: densest packing of as many disks"),
     "mean": ("2 r_max", "mean distance to the nearest point, along the surface"),
-    "coverage": ("r_max", "largest distance in space of a place of the surface from its nearest point"),
+    "coverage": ("r_max", "largest distance of a place of the surface from its nearest point"),
     "chi2": ("x chance", "how counts in 64 cells of equal area vary; 1 for random points"),
     "six_neighbors": ("0 to 1", "part of the points that have six natural neighbors; 1 for hexagons"),
     "duplicates": ("points", "that lie where another does"),
@@ -57,7 +58,8 @@ class SurfaceReport:
         Mean over the points of half of the distance along the surface to the nearest other one, over r_max.
         Points alone on their part do not count.
     coverage : float
-        The greatest distance in space of a place of the surface from its nearest point, over r_max.
+        The greatest distance of a place of the surface from its nearest point, over r_max: in space, but
+        along the surface where that point is on the other side of a thin part.
     chi2 : float
         Mean of (points - expected)^2 / expected over 64 cells of about equal area, fewer for fewer than 320
         points. About 1 for random points.
@@ -139,15 +141,18 @@ def analyze_surface(surface: Surface, spots: Spots) -> SurfaceReport:
     tree = cKDTree(points)
     r_max = 1 / sqrt(2 * sqrt(3) * len(spots) / surface.area)
     straight = tree.query(points, 2)[0][:, 1]
+    ways = Ways(surface, spots)
+    along, certain = ways.between_spots(straight)
+    reached = along[np.isfinite(along)]
     places = look_around(surface, len(spots))
     return SurfaceReport(
         count=len(spots),
         r_max=r_max,
         rho_space=float(straight.min()) / 2 / r_max,
-        rho_surface=float(straight.min()) / 2 / r_max,
-        certain=False,
-        mean=float(straight.mean()) / 2 / r_max,
-        coverage=widest_hole(surface, tree, places) / r_max,
+        rho_surface=float(along.min()) / 2 / r_max,
+        certain=bool(certain.all()),
+        mean=float(reached.mean()) / 2 / r_max if len(reached) else inf,
+        coverage=Holes(surface, spots, tree, ways).widest(places) / r_max,
         chi2=count_evenness(places.positions(surface), points),
         six_neighbors=share_of_six(tree, points, spots.normals(surface)),
         duplicates=int((straight <= _SAME * r_max).sum()),
