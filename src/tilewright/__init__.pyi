@@ -15,6 +15,7 @@ from .analysis import (
     compare_textures as compare_textures,
     coverage_radius as coverage_radius,
     discrepancy as discrepancy,
+    draw_surface as draw_surface,
     lattice_spikes as lattice_spikes,
     nearest_mean as nearest_mean,
     periodogram as periodogram,

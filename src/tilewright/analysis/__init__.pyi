@@ -50,6 +50,9 @@ from .points.spectrum import (
     power_spectrum as power_spectrum,
     spectrum_size as spectrum_size,
 )
+from .surfaces.pictures import (
+    draw_surface as draw_surface,
+)
 from .surfaces.report import (
     SurfaceReport as SurfaceReport,
     analyze_surface as analyze_surface,

@@ -136,7 +136,7 @@ def analyze_surface(surface: Surface, spots: Spots) -> SurfaceReport:
     """
     from scipy.spatial import cKDTree
 
-    _check(surface, spots)
+    check_spots(surface, spots, FEWEST)
     points = spots.positions(surface)
     tree = cKDTree(points)
     r_max = 1 / sqrt(2 * sqrt(3) * len(spots) / surface.area)
@@ -165,17 +165,18 @@ def _count_off(spots: Spots) -> int:
     return int(((spots.weights < -_OFF).any(axis=1) | (total > _OFF)).sum())
 
 
-def _check(surface: Surface, spots: Spots) -> None:
+def check_spots(surface: Surface, spots: Spots, fewest: int) -> None:
+    """Refuse what is no surface, and spots that are too few or nowhere on it."""
     check_type("surface", surface, Surface, "a Surface")
     check_type("spots", spots, Spots, "Spots")
     if spots.weights.shape != (len(spots.triangles), 3):
         raise shape_error("spots.weights", spots.weights.shape, (len(spots.triangles), 3))
-    if len(spots) < FEWEST:
+    if len(spots) < fewest:
         raise TilewrightValueError(
-            f"are {len(spots)}; at least {FEWEST} are needed",
+            f"are {len(spots)}; at least {fewest} are needed",
             argument="spots",
             value=len(spots),
-            allowed=f"{FEWEST} or more",
+            allowed=f"{fewest} or more",
         )
     bad = ~np.isfinite(spots.weights).all(axis=1)
     if bad.any():
