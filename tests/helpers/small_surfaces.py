@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tilewright.domains import Spots, Surface
+from tilewright.domains import Mesh, Spots, Surface
 
 MESHES = Path(__file__).parents[3] / "shared" / "data" / "meshes"
 
@@ -72,21 +72,31 @@ def spots_at(surface, places):
     return Spots(np.array(triangles, np.int32), np.array(weights))
 
 
-def shared_surface(name):
-    """A mesh of the shared data, its faces cut into fans, or None where there is none."""
+def _read(name):
+    """Vertices and faces of a mesh of the shared data, or None where there is none."""
     path = MESHES / name
     if not path.exists():
         return None
-    vertices, triangles = [], []
     lines = path.read_text().split("\n")
     if path.suffix == ".off":
         count = int(lines[1].split()[0])
         vertices = [list(map(float, line.split())) for line in lines[2 : 2 + count]]
-        faces = [list(map(int, line.split()))[1:] for line in lines[2 + count :] if line.strip()]
-    else:
-        vertices = [list(map(float, line.split()[1:4])) for line in lines if line.startswith("v ")]
-        faces = [
-            [int(w.split("/")[0]) - 1 for w in line.split()[1:]] for line in lines if line.startswith("f ")
-        ]
-    triangles = [(f[0], f[k], f[k + 1]) for f in faces for k in range(1, len(f) - 1)]
-    return surface_of(vertices, triangles)
+        return vertices, [list(map(int, line.split()))[1:] for line in lines[2 + count :] if line.strip()]
+    vertices = [list(map(float, line.split()[1:4])) for line in lines if line.startswith("v ")]
+    faces = [line.split()[1:] for line in lines if line.startswith("f ")]
+    return vertices, [[int(corner.split("/")[0]) - 1 for corner in face] for face in faces]
+
+
+def shared_mesh(name):
+    """A mesh of the shared data, or None where there is none."""
+    found = _read(name)
+    return found and Mesh.of(*found)
+
+
+def shared_surface(name):
+    """The same as a surface, its faces cut into fans."""
+    found = _read(name)
+    if found is None:
+        return None
+    vertices, faces = found
+    return surface_of(vertices, [(f[0], f[k], f[k + 1]) for f in faces for k in range(1, len(f) - 1)])
