@@ -59,8 +59,25 @@ def test_the_other_side_of_a_thin_plate_is_far():
     assert report.certain
     assert report.rho_surface >= report.rho_space
     assert report.mean == pytest.approx(0.465, abs=0.02)
-    # In space each side hides the holes of the other.
-    assert report.coverage > 2.5
+
+
+def test_points_on_one_side_of_a_thin_plate_do_not_cover_the_other():
+    plate = box(1, 1, 0.004)
+    x, y = np.meshgrid(*[np.arange(0.05, 1, 0.1)] * 2)
+    report = analyze_surface(plate, spots_at(plate, np.stack([x, y, 0 * x + 0.004], -1).reshape(-1, 3)))
+    # From the middle of the other side to the outermost points.
+    assert report.coverage * report.r_max == pytest.approx(hypot(0.5 + 0.004 + 0.05, 0.05), abs=0.003)
+    assert "holes" in str(report)
+
+
+def test_points_that_keep_their_distance_along_the_surface_only_are_told():
+    plate = box(1, 1, 0.004)
+    x, y = np.meshgrid(*[np.arange(0.025, 1, 0.05)] * 2)
+    sides = [np.stack([x, y, 0 * x + z], -1).reshape(-1, 3) for z in (0, 0.004)]
+    report = analyze_surface(plate, spots_at(plate, np.concatenate(sides)))
+    assert report.rho_space * 2 * report.r_max == pytest.approx(0.004)
+    assert report.rho_surface * 2 * report.r_max == pytest.approx(0.05)
+    assert "both sides of thin parts" in " ".join(report.verdict)
 
 
 def test_ways_turn_at_corners_of_the_border():

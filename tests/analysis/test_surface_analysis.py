@@ -5,6 +5,7 @@ from math import sqrt
 import numpy as np
 import pytest
 
+import tilewright as tw
 from small_surfaces import box, grid, random_spots, spots_at, torus
 from tilewright.analysis.surfaces.geodesics import Ways
 from tilewright.analysis.surfaces.holes import Holes, count_evenness, look_around
@@ -37,6 +38,18 @@ def test_a_hexagonal_lattice_has_the_figures_of_theory():
     assert 2 / sqrt(3) < report.coverage < 1.9
     assert report.chi2 < 0.5
     assert "lattice" in str(report)
+
+
+def test_points_thrown_as_darts_are_evenly_spread():
+    sheet = grid(2, 2)
+    darts = tw.sample_points("dart", 1500, 0.7, seed=1, box=tw.Box((1, 1), torus=False))
+    report = analyze_surface(sheet, sheet_spots(sheet, darts.points))
+    assert report.certain
+    assert report.rho_surface == report.rho_space == pytest.approx(darts.rho)
+    assert 1.8 < report.coverage < 2.3
+    assert report.six_neighbors == pytest.approx(0.48, abs=0.04)
+    assert report.verdict[0].startswith("Evenly spread: least distance 0.70")
+    assert len(report.verdict) == 1
 
 
 def test_random_points_have_the_figures_of_chance():
