@@ -50,6 +50,13 @@ from .points.spectrum import (
     power_spectrum as power_spectrum,
     spectrum_size as spectrum_size,
 )
+from .surfaces.pictures import (
+    draw_surface as draw_surface,
+)
+from .surfaces.report import (
+    SurfaceReport as SurfaceReport,
+    analyze_surface as analyze_surface,
+)
 from .textures.comparison import (
     METHOD_MEANING as METHOD_MEANING,
     compare_textures as compare_textures,
