@@ -28,6 +28,7 @@ CHAPTERS = {
     "render": ("tilings", "textures", "tutorials/textures"),
     "view": ("viewer", "gallery", "tutorials/textures"),
     "points": ("points", "samplers", "tutorials/sampling"),
+    "surface": ("surfaces", "point-analysis"),
     "analyze": ("analysis", "point-analysis"),
     "compare": ("comparison", "point-analysis"),
     "pack": ("packing", "tutorials/makers"),

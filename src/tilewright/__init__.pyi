@@ -24,6 +24,11 @@ from .analysis import (
     radial_distribution as radial_distribution,
     zone_plate as zone_plate,
 )
+from .domains import (
+    Mesh as Mesh,
+    Spots as Spots,
+    Surface as Surface,
+)
 from .errors import (
     Cancelled as Cancelled,
     TilewrightError as TilewrightError,
@@ -73,15 +78,22 @@ from .fields import (
     TextureField as TextureField,
     side_by_side as side_by_side,
 )
+from .fields.surfaces import (
+    SurfacePoints as SurfacePoints,
+    refine_points as refine_points,
+    surface_points as surface_points,
+)
 from .files import (
     find_maps as find_maps,
     load as load,
     read_image as read_image,
+    read_mesh as read_mesh,
     read_points as read_points,
     ready_tiles as ready_tiles,
     save as save,
     write_image as write_image,
     write_points as write_points,
+    write_surface_points as write_surface_points,
 )
 from .flows import (
     FLOW_TILES as FLOW_TILES,
@@ -119,6 +131,11 @@ from .signals.points import (
     poisson_tiles as poisson_tiles,
     recursive_points as recursive_points,
 )
+from .signals.points.dual import (
+    DualPointTiles as DualPointTiles,
+    DualRows as DualRows,
+    dual_point_tiles as dual_point_tiles,
+)
 from .signals.textures import (
     Exemplar as Exemplar,
     TextureTiles as TextureTiles,
@@ -132,23 +149,23 @@ from .tiles import (
     TileSet as TileSet,
     Variants as Variants,
     as_wang_tiles as as_wang_tiles,
+    canonical_slots as canonical_slots,
     classed_corner_tiles as classed_corner_tiles,
     cohen_tiles as cohen_tiles,
     column_corner_tiles as column_corner_tiles,
     compact_corner_cubes as compact_corner_cubes,
     compact_wang_cubes as compact_wang_cubes,
     compact_wang_tiles as compact_wang_tiles,
-    canonical_slots as canonical_slots,
-    count_dual_tiles as count_dual_tiles,
-    list_dual_tiles as list_dual_tiles,
     corner_coded_tiles as corner_coded_tiles,
     corner_cubes as corner_cubes,
     corner_tiles as corner_tiles,
+    count_dual_tiles as count_dual_tiles,
     crossed_wang_tiles as crossed_wang_tiles,
     decode as decode,
     dominoes as dominoes,
     encode as encode,
     free_tiles as free_tiles,
+    list_dual_tiles as list_dual_tiles,
     shifted_wang_tiles as shifted_wang_tiles,
     summed_wang_tiles as summed_wang_tiles,
     tile_set as tile_set,

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from meshes import CLOSED, OPEN, band, cube, fan, square, torus
 from scipy.spatial import KDTree
 
+from meshes import CLOSED, OPEN, band, cube, fan, square, torus
 from tilewright.domains import Spots
 from tilewright.domains.repair import make_sound
 from tilewright.kernels.threads import at_most

@@ -18,12 +18,12 @@ Blocks = Iterable[NDArray[np.float64]]
 Found = tuple[NDArray[Any], PointNote | None]
 """The points of a file, and what it says of them."""
 
-_PLY_KINDS = {
+PLY_KINDS = {
     "char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1", "short": "i2", "int16": "i2",
     "ushort": "u2", "uint16": "u2", "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4",
     "float": "f4", "float32": "f4", "double": "f8", "float64": "f8",
 }  # fmt: skip
-_PLY_ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": ""}
+PLY_ORDERS = {"binary_little_endian": "<", "binary_big_endian": ">", "ascii": ""}
 _LONGEST_HEADER = 2**16
 
 
@@ -132,13 +132,13 @@ def _read_ply_header(stream: IO[bytes]) -> tuple[str, int, list[tuple[str, str]]
     for line in text.decode("latin-1").splitlines():
         match line.split():
             case ["format", kind, *_]:
-                order = _PLY_ORDERS[kind]
+                order = PLY_ORDERS[kind]
             case ["element", element, number]:
                 if count < 0 and element != "vertex":
                     raise ValueError(f"its first element is {element}, not vertex")
                 count = int(number) if count < 0 else count
             case ["property", kind, name] if element == "vertex":
-                columns.append((name, _PLY_KINDS[kind]))
+                columns.append((name, PLY_KINDS[kind]))
             case ["property", "list", *_] if element == "vertex":
                 raise ValueError("its vertices hold lists")
             case ["comment", word, *_] if word == MARK:

@@ -18,6 +18,7 @@ from .materials import (
 from .pack import PackJob as PackJob
 from .points import PointsJob as PointsJob
 from .render import RenderJob as RenderJob
+from .surface import SurfaceJob as SurfaceJob
 from .texture import TextureJob as TextureJob
 from .view import ViewJob as ViewJob
 from .warm import WarmJob as WarmJob

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from meshes import cube
 from scipy.spatial import KDTree
 
+from meshes import cube
 from tilewright.domains.medial import MedialDomain
 from tilewright.domains.repair import make_sound
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
@@ -19,7 +19,7 @@ CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
 
 
 def lay_on_a_torus(tiles, side, see):
-    """Points of tiles of four corners on a torus of random corners, which ``see`` shows to their quadrants."""
+    """Points of tiles of four corners on a torus, whose corners ``see`` shows to their quadrants."""
     values = np.random.default_rng(3).integers(0, 4 * tiles.colors, (side, side))
     made = []
     for y, x in np.ndindex(side, side):
@@ -68,7 +68,7 @@ def test_distances_hold_around_the_corners_of_a_cube():
         spots.append(domain.lift(domain.sector_bases[sectors], uv).positions(domain.sound.cut.surface))
         owners.append(np.full(len(x), n))
     places, corners = np.concatenate(spots), np.concatenate(owners)
-    # A square of the subdivided cube is half as wide as a tile is long: its sides are those of its medial tiles.
+    # Sides of medial tiles join the middles of sides of squares, which are a quarter long.
     side = np.sqrt(2) / 8
     within = np.all((places > 0.02) & (places < 0.98), axis=1)
     assert not within.any()
@@ -81,7 +81,7 @@ def test_distances_hold_around_the_corners_of_a_cube():
 
 
 def unfolded(one, other):
-    """The shortest way between two places of the unit cube that are near each other, around an edge or two."""
+    """The shortest way between near places of the unit cube, around an edge or two."""
     faces = [{(a, round(p[a])) for a in range(3) if abs(p[a] - round(p[a])) < 1e-9} for p in (one, other)]
     if faces[0] & faces[1]:
         return np.linalg.norm(one - other)
@@ -183,7 +183,7 @@ def test_tiles_are_the_same_whatever_was_asked_before():
 
 
 def test_what_no_set_has_is_refused():
-    with pytest.raises(TilewrightValueError, match="rho is 0.8"):
+    with pytest.raises(TilewrightValueError, match=r"rho is 0\.8"):
         dual_point_tiles(2, 32, 0.8)
     with pytest.raises(TilewrightTypeError, match="points"):
         dual_point_tiles(2, 32.5)

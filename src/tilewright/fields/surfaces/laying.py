@@ -25,6 +25,8 @@ FEWEST, MOST = 12, 64
 """Points of a tile of four corners: with fewer the frame does not fit, with more the mesh is subdivided."""
 _MARGIN = 1.25
 """How much larger than on average the share of a place may be taken before points are compared."""
+_OPEN = 1.05
+"""How many more points than needed are made where the surface is open."""
 _SPARSE = 2.0
 """Points a tile, in the median, below which tiles take turns in rounding up rather than throw lots."""
 
@@ -64,7 +66,9 @@ def fit_domain(domain: MedialDomain, count: int, weighting: Weighting | None) ->
         loads = find_loads(domain, weighting)
         # Sectors of equal areas would each need a quarter of the points of a tile.
         full = 4 * count * float(np.quantile(loads, 0.999)) / loads.sum()
-        points = max(FEWEST, int(np.ceil(full / 8)) * 8)
+        if (domain.half_edges.twins < 0).any():
+            full *= _OPEN  # what tiles on the boundary hold varies with what is cut off
+        points = max(FEWEST, int(np.ceil(full / 8 - 1e-9)) * 8)
         if points <= MOST:
             return domain, points
         domain = domain.subdivide()

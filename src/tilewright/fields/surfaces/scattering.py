@@ -62,9 +62,6 @@ def surface_points(
         ``"even"`` (default): by Lloyd's method, holes filled, pushed apart. ``"poisson"``: holes filled and
         points pushed apart only, which leaves more chance. ``"tiles"``: the points of the tiles as they are,
         at once.
-    distance : str, optional
-        ``"surface"`` (default): points keep apart along the surface, so that those on two sides of a thin
-        part do not mind each other. ``"space"``: in a straight line.
     rho : float, optional
         Relative radius: half of the least distance over that of the densest packing of as many disks; by
         default 0.765, of ``"tiles"`` 0.7.

@@ -71,9 +71,13 @@ class DualPointTiles:
     rho: float
     seed: int
     distance: float
-    _frames: Frames
-    _made: dict[tuple[int, ...], _Tile] = field(default_factory=dict)
-    _lock: Lock = field(default_factory=Lock)
+    _frames: Frames = field(init=False)
+    _made: dict[tuple[int, ...], _Tile] = field(init=False, default_factory=dict)
+    _lock: Lock = field(init=False, default_factory=Lock)
+
+    def __post_init__(self) -> None:
+        frames = Frames(self.colors, self.points, self.distance, make_key(self.seed))
+        object.__setattr__(self, "_frames", frames)
 
     def __repr__(self) -> str:
         said = f"{self.colors} colors, {self.points} points to four corners, rho {self.rho:g}"
@@ -193,8 +197,7 @@ def dual_point_tiles(
     check_int("points", points, _FEWEST, _MOST)
     check_real("rho", rho, 0.05, _LARGEST_RHO)
     distance = 2 * rho * max_radius(points, Box())
-    key = make_key(seed)
-    return DualPointTiles(colors, points, rho, int(key), distance, Frames(colors, points, distance, key))
+    return DualPointTiles(colors, points, rho, int(make_key(seed)), distance)
 
 
 def _in_quadrant(points: NDArray[np.float64]) -> NDArray[np.bool_]:

@@ -1,0 +1,5 @@
+"""Meshes in files: faces of any number of corners are kept as they are."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

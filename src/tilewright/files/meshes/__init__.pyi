@@ -1,0 +1,3 @@
+from .reading import (
+    read_mesh as read_mesh,
+)
