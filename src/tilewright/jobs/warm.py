@@ -44,6 +44,7 @@ def _small_works(folder: Path) -> Iterator[tuple[str, Callable[[], object]]]:
 
     from tilewright import jobs
     from tilewright.files import write_image
+    from tilewright.files.texts import write_text
 
     rng = np.random.default_rng(1)
     photo, ramp, tiles = folder / "photo.png", folder / "ramp.png", folder / "tiles"
@@ -54,6 +55,9 @@ def _small_works(folder: Path) -> Iterator[tuple[str, Callable[[], object]]]:
     rows = np.pad(walls, ((1, 1), (1, 1), (0, 0)))[:180, :190].astype(np.uint8)
     write_image(folder / "bricks.png", rows)
     write_image(folder / "deep.tif", noise.astype(np.uint16) * 257)
+
+    sheet = folder / "sheet.off"
+    write_text(sheet, "OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
 
     texture = jobs.TextureJob(photo=photo, tile_size=16, threads=1)
     made: list[tuple[str, jobs.Job]] = [
@@ -75,6 +79,7 @@ def _small_works(folder: Path) -> Iterator[tuple[str, Callable[[], object]]]:
         ("lloyd", jobs.PointsJob(method="lloyd", count=30, output=folder / "l.npy")),
         ("dart", jobs.PointsJob(method="dart", count=30, output=folder / "d.npy")),
         ("analyze points", jobs.AnalyzeJob(source=folder / "d.npy", width=1, height=1)),
+        ("surface", jobs.SurfaceJob(mesh=sheet, count=40, output=folder / "s.npy")),
         ("bricks", jobs.BricksJob(width=4, height=4, output=folder / "b.png")),
         ("bond", jobs.BricksJob(width=4, height=4, pattern="herringbone", output=folder / "h.png")),
         ("dapple", jobs.DappleJob(width=9, height=9, output=folder / "dapple.png")),
