@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from tilewright.domains.surface import Surface
 from tilewright.sameness import Alike
+from tilewright.showing import describe, many
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,6 +24,9 @@ class Spots(Alike):
 
     triangles: NDArray[np.int32]
     weights: NDArray[np.float64]
+
+    def __repr__(self) -> str:
+        return describe(self, many(len(self), "spot"))
 
     def __len__(self) -> int:
         return len(self.triangles)

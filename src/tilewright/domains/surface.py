@@ -6,6 +6,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from tilewright.showing import describe, many
+
 
 @dataclass(frozen=True, eq=False)
 class Surface:
@@ -25,6 +27,10 @@ class Surface:
     vertices: NDArray[np.float64]
     triangles: NDArray[np.int32]
     twins: NDArray[np.int32]
+
+    def __repr__(self) -> str:
+        vertices = many(len(self.vertices), "vertex", "vertices")
+        return describe(self, vertices, many(len(self.triangles), "triangle"))
 
     @cached_property
     def _doubled(self) -> NDArray[np.float64]:

@@ -3,7 +3,7 @@
 import numpy as np
 
 from tilewright.kernels.compiled import kernel
-from tilewright.kernels.polygons import cut_cell, is_cut
+from tilewright.kernels.polygons import cut_cell, find_reach, is_cut
 
 _CORNERS = 40
 _BEYOND = 1.003
@@ -86,13 +86,14 @@ def center_cells(first, last, points, lists, counts, walls, wall_lists, wall_cou
         half = 2.4 * spacing[i]
         one[0, 0], one[0, 1], one[1, 0], one[1, 1] = -half, -half, half, -half
         one[2, 0], one[2, 1], one[3, 0], one[3, 1] = half, half, -half, half
-        corners = 4
+        corners, reach = 4, 2.0 * half * half
         for s in range(counts[i] + wall_counts[i]):
             if s < counts[i]:
                 j = lists[i, s]
                 x, y, whole = lay_flat(places[i], places[j], axes)
                 flat = np.sqrt(x * x + y * y)
-                if flat < 0.3 * whole or whole == 0.0:
+                # One farther than twice the farthest corner cuts nothing, nor one on another sheet.
+                if whole * whole > 4.0 * reach or flat < 0.3 * whole or whole == 0.0:
                     continue
                 x, y = x * whole / flat, y * whole / flat
             else:
@@ -112,6 +113,7 @@ def center_cells(first, last, points, lists, counts, walls, wall_lists, wall_cou
                 one, other = other, one
                 if corners < 3:
                     break
+                reach = find_reach(one, corners)
         # Step 3: its middle, and its farthest corner.
         moves[i] = 0.0
         far[i] = 0.0
@@ -125,9 +127,9 @@ def center_cells(first, last, points, lists, counts, walls, wall_lists, wall_cou
             area += doubled
             mx += doubled * (one[k, 0] + one[l, 0])
             my += doubled * (one[k, 1] + one[l, 1])
-            reach = one[k, 0] * one[k, 0] + one[k, 1] * one[k, 1]
-            if reach > reaches[i]:
-                reaches[i] = reach
+            square = one[k, 0] * one[k, 0] + one[k, 1] * one[k, 1]
+            if square > reaches[i]:
+                reaches[i] = square
                 for a in range(3):
                     far[i, a] = one[k, 0] * axes[0, a] + one[k, 1] * axes[1, a]
         reaches[i] = np.sqrt(reaches[i])

@@ -11,7 +11,7 @@ from tilewright.errors import TilewrightValueError
 from tilewright.samplers.box import Box
 from tilewright.samplers.radius import max_radius
 from tilewright.seeds import Seed, make_key
-from tilewright.showing import describe
+from tilewright.showing import describe, many
 from tilewright.signals.points.dual.frames import Frames
 from tilewright.signals.points.dual.places import to_cone, to_sectors
 from tilewright.tiles.dual import canonical_slots
@@ -42,6 +42,9 @@ class DualRows:
     starts: NDArray[np.int64]
     sectors: NDArray[np.uint8]
     points: NDArray[np.float32]
+
+    def __repr__(self) -> str:
+        return describe(self, many(len(self.starts) - 1, "tile"), many(len(self.points), "point"))
 
 
 @dataclass(frozen=True, eq=False)
