@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial import KDTree
 
 import tilewright as tw
-from meshes import CLOSED, OPEN, cube, square, torus
+from meshes import CLOSED, OPEN, cube, shared, square, torus
 from tilewright.domains.medial import MedialDomain
 from tilewright.domains.repair import make_sound
 from tilewright.errors import TilewrightTypeError, TilewrightValueError, TilewrightWarning
@@ -65,6 +65,15 @@ def test_tiles_on_a_flat_even_mesh_keep_the_distance_of_their_set():
     assert made.figures["level"] == 0
     distance = tw.dual_point_tiles(2, 32, 0.7).distance * np.sqrt(2) / 2 / 8
     assert KDTree(made.positions).query(made.positions, 2)[0][:, 1].min() >= distance - 1e-7
+
+
+def test_the_brick_of_figure_9_has_the_distance_of_its_set():
+    """Twelve tiles of three corners and four of five; no point is left out."""
+    mesh = shared("t_brick_k1.obj")
+    made = tw.surface_points(mesh, 22 * 2 * 32, kind="tiles")
+    found = tw.analyze_surface(made.surface, made.spots)
+    assert found.certain
+    assert found.rho_surface * found.r_max >= tw.dual_point_tiles(2, 32).distance / 2 * np.sqrt(0.5) - 1e-6
 
 
 def test_fewer_points_are_some_of_the_same():
