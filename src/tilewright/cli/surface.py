@@ -10,7 +10,13 @@ from tilewright.cli.performing import perform
 
 
 def command(
-    mesh: Annotated[Path, typer.Argument(metavar="MESH", help="The mesh: FILE.obj, .off or .ply.")],
+    mesh: Annotated[
+        Path,
+        typer.Argument(
+            metavar="MESH",
+            help="The mesh: FILE.obj, .off or .ply; by trimesh also .stl, .glb and others.",
+        ),
+    ],
     output: Annotated[
         Path | None,
         option(

@@ -22,7 +22,7 @@ class SurfaceJob(WritingJob):
     force : bool, optional
         Whether what is there already under the output's name may be replaced; default False.
     mesh : Path
-        ``.obj``, ``.off`` or ``.ply``.
+        ``.obj``, ``.off`` or ``.ply``; by the package trimesh also ``.stl``, ``.glb``, ``.3mf`` and others.
     count : int, optional
         How many points, or give ``radius``.
     radius : float, optional
