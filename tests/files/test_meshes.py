@@ -207,3 +207,45 @@ def test_the_command_writes_what_the_library_does(tmp_path, capsys):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["cube.obj", "out"]
     assert call("surface", mesh, "--count", 5, "-o", tmp_path / "b.npy", "--dry-run") == 0
     assert not (tmp_path / "b.npy").exists()
+
+
+def test_a_density_by_a_property_of_the_mesh_or_by_a_picture(tmp_path, capsys):
+    """On a square whose east is three times as dense as its west."""
+    flat, out = square(4), tmp_path / "points.npy"
+    east = flat.vertices[:, 0] > flat.vertices[:, 0].mean()
+    text = as_ply(flat, extra=True).decode().split("end_header\n")
+    rows = text[1].splitlines()
+    rows[: len(east)] = [row[:-3] + ("3" if e else "1") for row, e in zip(rows, east, strict=False)]
+    mesh = tmp_path / "square.ply"
+    mesh.write_bytes((text[0] + "end_header\n" + "\n".join(rows)).encode())
+    assert call("surface", mesh, "--count", 400, "--density", "quality", "-o", out, "-q") == 0
+    weights = np.where(east, 3.0, 1.0)
+    assert np.array_equal(np.load(out), tw.surface_points(flat, 400, density=weights).positions)
+    assert call("surface", mesh, "--count", 400, "--density", "worth", "-o", tmp_path / "a.npy") == 2
+    assert "holds no property 'worth'; it holds x, y, z, quality" in capsys.readouterr().err
+
+    low, high = flat.vertices[:, :2].min(axis=0), flat.vertices[:, :2].max(axis=0)
+    coords = (flat.vertices[:, :2] - low) / (high - low)
+    obj = as_obj(flat).decode() + "".join(f"vt {u!r} {v!r}\n" for u, v in coords.tolist())
+    obj = "\n".join(
+        "f " + " ".join(f"{w}/{w}" for w in line[2:].split()) if line.startswith("f ") else line
+        for line in obj.splitlines()
+    )
+    (tmp_path / "square.obj").write_text(obj)
+    picture = np.full((8, 16, 4), 255, np.uint8)
+    picture[:, :8, :3] = 85
+    tw.write_image(tmp_path / "density.png", picture)
+    mesh = tmp_path / "square.obj"
+    told = ("--density", tmp_path / "density.png", "-o", out, "--force", "-q")
+    assert call("surface", mesh, "--count", 400, *told) == 0
+    share = (np.load(out)[:, 0] > (low + high)[0] / 2).mean()
+    assert 0.7 < share < 0.8
+    assert call("surface", mesh, "--count", 9, "--density", "no.png", "-o", tmp_path / "a.npy") == 2
+    assert "only .ply name properties; no.png is no picture file either" in capsys.readouterr().err
+
+
+def test_usd_promises_no_width_where_there_is_no_least_distance(tmp_path):
+    for kind in ("even", "tiles"):
+        points, path = tw.surface_points(square(2), 60, kind=kind), tmp_path / f"{kind}.usda"
+        tw.write_surface_points(path, points)
+        assert (b"widths" in path.read_bytes()) == (points.distance > 0)

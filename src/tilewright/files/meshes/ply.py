@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.errors import TilewrightValueError
+from tilewright.errors import TilewrightValueError, brief
 from tilewright.files.meshes.ply_elements import Columns, Lists, read_elements
 from tilewright.files.meshes.raw import RawMesh, has_no_faces
 from tilewright.showing import many
@@ -35,6 +35,19 @@ def read_ply(data: bytes) -> RawMesh:
     mesh.texcoords = _texcoords(elements["vertex"], faces, mesh)
     mesh.notes += _notes(elements, left)
     return mesh
+
+
+def read_ply_property(data: bytes, name: str) -> NDArray[np.float64]:
+    """A number that every vertex of a PLY file has, or else every face."""
+    elements, _ = read_elements(data)
+    found = [elements.get(element, {}) for element in ("vertex", "face")]
+    for columns in found:
+        if isinstance(values := columns.get(name), np.ndarray):
+            return values.astype(np.float64)
+    names = [one for columns in found for one in columns if isinstance(columns[one], np.ndarray)]
+    raise TilewrightValueError(
+        f"holds no property {brief(name)}", value=name, advice=f"it holds {', '.join(names)}" if names else ""
+    )
 
 
 def _vertices(columns: Columns) -> NDArray[np.float64]:

@@ -1,15 +1,20 @@
 """Meshes in files that other programs wrote, each kind by its own reader."""
 
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
+import numpy as np
+from numpy.typing import NDArray
+
 from tilewright.domains import Mesh
-from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightWarning
+from tilewright.errors import TilewrightError, TilewrightFileError, TilewrightWarning, brief
 from tilewright.extras import need_package
 from tilewright.files.atomic import AnyPath, as_path
 from tilewright.files.meshes.obj import read_obj
 from tilewright.files.meshes.off import read_off
-from tilewright.files.meshes.ply import read_ply
+from tilewright.files.meshes.ply import read_ply, read_ply_property
 from tilewright.files.meshes.raw import RawMesh
 
 _READERS = {".obj": read_obj, ".off": read_off, ".ply": read_ply}
@@ -62,9 +67,31 @@ def read_mesh(path: AnyPath) -> Mesh:
     """
     source = as_path(path)
     check_mesh_file(source)
-    try:
+    with _told(source):
         raw = _read(source)
         mesh = Mesh(raw.vertices, raw.corners, raw.starts, raw.texcoords)
+    if raw.notes:
+        warnings.warn(f"{source}: not taken from it: {'; '.join(raw.notes)}", TilewrightWarning, stacklevel=2)
+    return mesh
+
+
+def read_mesh_property(path: AnyPath, name: str) -> NDArray[np.float64]:
+    """A number that every vertex of a PLY mesh has, or else every face, by its name in the file."""
+    source = as_path(path)
+    check_mesh_file(source)
+    if source.suffix.lower() != ".ply":
+        raise TilewrightFileError(
+            f"{source} holds no property {brief(name)}; of meshes only .ply name properties", value=source
+        )
+    with _told(source):
+        return read_ply_property(source.read_bytes(), name)
+
+
+@contextmanager
+def _told(source: Path) -> Iterator[None]:
+    """Whatever goes wrong with a file, as one line that names it."""
+    try:
+        yield
     except TilewrightError as error:
         raise TilewrightFileError(f"{source}: {error}", value=source) from None
     except OSError as error:
@@ -75,9 +102,6 @@ def read_mesh(path: AnyPath) -> Mesh:
         raise TilewrightFileError(
             f"{source} is damaged or not what its name says: {reason}", value=source
         ) from None
-    if raw.notes:
-        warnings.warn(f"{source}: not taken from it: {'; '.join(raw.notes)}", TilewrightWarning, stacklevel=2)
-    return mesh
 
 
 def check_mesh_file(source: Path) -> None:
