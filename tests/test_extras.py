@@ -16,7 +16,7 @@ import sys
 
 class Without:
     def find_spec(self, name, path=None, target=None):
-        without = {"pyarrow", "finufft", "matplotlib", "pandas", "pysat", "wgpu", "imageio_ffmpeg"}
+        without = {"pyarrow", "finufft", "matplotlib", "pandas", "pysat", "wgpu", "imageio_ffmpeg", "trimesh"}
         if name.partition(".")[0] in without:
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
 
@@ -56,6 +56,7 @@ NEEDS = {
     "a plot": ("tw.plot_points([[0.5, 0.5]])", "matplotlib", "plots"),
     "a solver": ('tw.complete_dapple([[0, -1]], {"H0": 2})', "python-sat", "solve"),
     "a filling": ("tw.filled_tiling(tw.wang_tiles(2), 3, 3)", "python-sat", "solve"),
+    "a mesh": ('open("m.glb", "w").write("x"); tw.read_mesh("m.glb")', "trimesh", "meshes"),
     "a video": ('run("flow", "-o", "f.mp4")', "imageio-ffmpeg", "video"),
     "a table of pandas": ("tw.PointSet([[0.5, 0.5]]).to_pandas()", "pandas", ""),
 }
@@ -94,7 +95,7 @@ def test_the_need_of_an_extra_is_one_line_that_names_it(tmp_path, what):
     assert re.fullmatch(
         rf".+ needs the package {package}; install it with: pip install {install}\n", done.stdout
     ), done.stdout + done.stderr
-    assert [path.name for path in tmp_path.iterdir() if path.name != "p.parquet"] == []
+    assert [path.name for path in tmp_path.iterdir() if path.name not in ("p.parquet", "m.glb")] == []
 
 
 def test_extras_are_those_of_the_project():

@@ -37,8 +37,8 @@ def test_every_dependency_has_a_lower_bound(capsys, monkeypatch):
     named = [line.partition("==")[0] for line in capsys.readouterr().out.split()]
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     extras = project["optional-dependencies"]
-    users = [one for extra in ("points", "plots", "solve", "gpu", "video") for one in extras[extra]]
-    assert extras["all"] == ["tilewright[points,plots,solve,gpu,video]"]
+    users = [one for extra in ("points", "plots", "solve", "gpu", "video", "meshes") for one in extras[extra]]
+    assert extras["all"] == ["tilewright[points,plots,solve,gpu,video,meshes]"]
     assert extras["test"][0] == "tilewright[all]"
     wanted = {*project["dependencies"], *users, *extras["test"][1:]}
     assert named == sorted({requirement.partition(">=")[0] for requirement in wanted})

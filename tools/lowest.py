@@ -17,7 +17,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 EXTRA = "test"
 # Quick files that use numba, SciPy, OpenImageIO and tifffile, msgspec, typer, matplotlib, pyarrow, finufft,
-# python-sat, wgpu, ezdxf, pypdf, pypdfium2 and imageio-ffmpeg; they are looked for in all folders of tests/.
+# python-sat, wgpu, ezdxf, pypdf, pypdfium2, imageio-ffmpeg and trimesh; they are looked for in all folders of
+# tests/.
 TESTS = (
     "test_hashes.py",
     "test_mincut.py",
@@ -31,6 +32,7 @@ TESTS = (
     "test_gpu_refusals.py",
     "test_drawing_files.py",
     "test_flow_pictures.py",
+    "test_mesh_files.py",
 )
 SLOW = "not point_tiles_come_back"
 

@@ -11,6 +11,7 @@ EXTRAS = {
     "pysat": ("solve", "python-sat"),
     "wgpu": ("gpu", "wgpu"),
     "imageio_ffmpeg": ("video", "imageio-ffmpeg"),
+    "trimesh": ("meshes", "trimesh"),
     "pandas": ("", "pandas"),
 }
 """What is imported: the extra of tilewright that brings it, if one does, and the name to install it by."""

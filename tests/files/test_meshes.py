@@ -86,7 +86,7 @@ def test_obj_as_it_is_found(tmp_path):
         b"vt 0 0\r\nvt 1 0 0\r\nvt 1 1\r\nvt 0 1\r\nvn 0 0 1\r\ng one\r\nusemtl red\r\ns 1\r\n"
         b"f -4/1/1 -3/2/1 -2/3/1 4/4/1 # all\r\nl 1 2\r\n"
     )
-    with pytest.warns(TilewrightWarning, match="1 of l"):
+    with pytest.warns(TilewrightWarning, match="1 line"):
         mesh = tw.read_mesh(path)
     assert mesh.faces[0].tolist() == [0, 1, 2, 3]
     assert mesh.texcoords.tolist() == [[0, 0], [1, 0], [1, 1], [0, 1]]
@@ -97,27 +97,27 @@ def test_obj_as_it_is_found(tmp_path):
 @pytest.mark.parametrize(
     ("name", "data", "words"),
     [
-        ("a.obj", b"v 0 0 0\nf 1 2 3\n", "names vertex 1"),
+        ("a.obj", b"v 0 0 0\nf 1 2 3\n", "names vertex 2; there are 1"),
         ("a.obj", b"v 0 0 0\nf 1 0 1\n", "line 2"),
-        ("a.obj", b"v 0 0\nf 1 1 1\n", "fewer than three"),
+        ("a.obj", b"v 0 0\nf 1 1 1\n", "fewer than 3 numbers"),
         ("a.obj", b"v 0 x 0\n", "line 1"),
         ("a.obj", b"v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "finite"),
-        ("a.obj", b"v 0 0 0\nv 1 0 0\nf 1 2\n", "two|2 corners"),
+        ("a.obj", b"v 0 0 0\nv 1 0 0\nf 1 2\n", "2 corners"),
         ("a.obj", b"v 0 0 0\n", "no faces"),
-        ("a.obj", b"", "neither vertices nor faces"),
-        ("a.obj", bytes(range(256)) * 8, "neither|line"),
+        ("a.obj", b"", "is empty"),
+        ("a.obj", bytes(range(256)) * 8, "is no text"),
         ("a.off", b"OFF 1000000000000 5 0\n", "ends before"),
-        ("a.off", b"PFF 3 1 0", "does not begin with OFF"),
-        ("a.off", b"OFF BINARY\n", "binary OFF"),
+        ("a.off", b"PFF 3 1 0", "not with OFF"),
+        ("a.off", b"OFF BINARY\n", "in binary"),
         ("a.off", b"OFF 3 1 0  0 0 0 1 0 0 0 1 0  3 0 1 5", "names vertex 5"),
         ("a.ply", b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
          b"property float z\nend_header\n0 0 0\n", "points and no faces"),
         ("a.ply", b"ply\nformat binary_little_endian 1.0\nelement vertex 9000000000000000000\n"
          b"property float x\nend_header\n", "ends before"),
         ("a.ply", b"ply\nformat ascii 1.0\nelement face 1\nproperty list half int vertex_index\nend_header\n",
-         "a type half"),
+         "list half int"),
         ("a.ply", b"PK\x03\x04", "does not begin as a PLY"),
-        ("a.stl", b"solid", "not a mesh that can be read; .obj, .off, .ply can"),
+        ("a", b"solid", "no suffix that says what it is; .obj, .off, .ply"),
     ],
 )  # fmt: skip
 def test_what_is_no_mesh_is_told_in_one_line(tmp_path, name, data, words):
@@ -130,15 +130,14 @@ def test_what_is_no_mesh_is_told_in_one_line(tmp_path, name, data, words):
     with pytest.raises(TilewrightFileError, match="is not a file"):
         tw.read_mesh(tmp_path / "none.obj")
     (tmp_path / "folder.ply").mkdir()
-    with pytest.raises(TilewrightFileError, match="is not a file"):
+    with pytest.raises(TilewrightFileError, match="is a folder"):
         tw.read_mesh(tmp_path / "folder.ply")
 
 
-def test_more_than_a_mesh_is_passed_over_with_a_note(tmp_path):
+def test_further_properties_are_passed_over(tmp_path):
     path = tmp_path / "more.ply"
     path.write_bytes(as_ply(cube(), "binary_little_endian", extra=True))
-    with pytest.warns(TilewrightWarning, match="more.ply was passed over: quality"):
-        assert tw.read_mesh(path) == cube()
+    assert tw.read_mesh(path) == cube()
     text = as_ply(cube()).replace(
         b"property double z\n", b"property double z\nproperty float s\nproperty float t\n"
     )
@@ -208,3 +207,45 @@ def test_the_command_writes_what_the_library_does(tmp_path, capsys):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["cube.obj", "out"]
     assert call("surface", mesh, "--count", 5, "-o", tmp_path / "b.npy", "--dry-run") == 0
     assert not (tmp_path / "b.npy").exists()
+
+
+def test_a_density_by_a_property_of_the_mesh_or_by_a_picture(tmp_path, capsys):
+    """On a square whose east is three times as dense as its west."""
+    flat, out = square(4), tmp_path / "points.npy"
+    east = flat.vertices[:, 0] > flat.vertices[:, 0].mean()
+    text = as_ply(flat, extra=True).decode().split("end_header\n")
+    rows = text[1].splitlines()
+    rows[: len(east)] = [row[:-3] + ("3" if e else "1") for row, e in zip(rows, east, strict=False)]
+    mesh = tmp_path / "square.ply"
+    mesh.write_bytes((text[0] + "end_header\n" + "\n".join(rows)).encode())
+    assert call("surface", mesh, "--count", 400, "--density", "quality", "-o", out, "-q") == 0
+    weights = np.where(east, 3.0, 1.0)
+    assert np.array_equal(np.load(out), tw.surface_points(flat, 400, density=weights).positions)
+    assert call("surface", mesh, "--count", 400, "--density", "worth", "-o", tmp_path / "a.npy") == 2
+    assert "holds no property 'worth'; it holds x, y, z, quality" in capsys.readouterr().err
+
+    low, high = flat.vertices[:, :2].min(axis=0), flat.vertices[:, :2].max(axis=0)
+    coords = (flat.vertices[:, :2] - low) / (high - low)
+    obj = as_obj(flat).decode() + "".join(f"vt {u!r} {v!r}\n" for u, v in coords.tolist())
+    obj = "\n".join(
+        "f " + " ".join(f"{w}/{w}" for w in line[2:].split()) if line.startswith("f ") else line
+        for line in obj.splitlines()
+    )
+    (tmp_path / "square.obj").write_text(obj)
+    picture = np.full((8, 16, 4), 255, np.uint8)
+    picture[:, :8, :3] = 85
+    tw.write_image(tmp_path / "density.png", picture)
+    mesh = tmp_path / "square.obj"
+    told = ("--density", tmp_path / "density.png", "-o", out, "--force", "-q")
+    assert call("surface", mesh, "--count", 400, *told) == 0
+    share = (np.load(out)[:, 0] > (low + high)[0] / 2).mean()
+    assert 0.7 < share < 0.8
+    assert call("surface", mesh, "--count", 9, "--density", "no.png", "-o", tmp_path / "a.npy") == 2
+    assert "only .ply name properties; no.png is no picture file either" in capsys.readouterr().err
+
+
+def test_usd_promises_no_width_where_there_is_no_least_distance(tmp_path):
+    for kind in ("even", "tiles"):
+        points, path = tw.surface_points(square(2), 60, kind=kind), tmp_path / f"{kind}.usda"
+        tw.write_surface_points(path, points)
+        assert (b"widths" in path.read_bytes()) == (points.distance > 0)

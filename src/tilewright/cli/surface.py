@@ -10,7 +10,13 @@ from tilewright.cli.performing import perform
 
 
 def command(
-    mesh: Annotated[Path, typer.Argument(metavar="MESH", help="The mesh: FILE.obj, .off or .ply.")],
+    mesh: Annotated[
+        Path,
+        typer.Argument(
+            metavar="MESH",
+            help="The mesh: FILE.obj, .off or .ply; by trimesh also .stl, .glb and others.",
+        ),
+    ],
     output: Annotated[
         Path | None,
         option(
@@ -22,6 +28,15 @@ def command(
     count: Annotated[int | None, option(help="Exact number of points; or give --radius.")] = None,
     radius: Annotated[
         float | None, option(help="Half of the least distance, in the mesh's units; or give --count.")
+    ] = None,
+    density: Annotated[
+        str | None,
+        option(
+            metavar="NAME|FILE",
+            help="Where points lie closer: a picture over the mesh's texture coordinates, dense where it is "
+            "bright, or the name of a property that a PLY mesh holds for every vertex or face; default "
+            "everywhere alike.",
+        ),
     ] = None,
     kind: Annotated[
         str,
@@ -48,6 +63,8 @@ def command(
     the same place are welded, faces turned alike, and edges of more than two faces cut; a note says so.
 
     Example: tilewright surface bunny.obj --count 40000 -o points.ply
+
+    Example: tilewright surface bunny.ply --count 5000 --density quality -o points.usda
 
     Example: tilewright surface bunny.obj --count 5000 --kind poisson --seed 3 -o points.csv
 

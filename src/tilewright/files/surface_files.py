@@ -35,7 +35,7 @@ def write_surface_points(path: AnyPath, points: _Noted) -> None:
         ``.npy``: positions, float64, shape (n, 3), and nothing else. ``.csv``: all columns, named in its
         first line. ``.ply``: binary vertices with all columns, and a comment. ``.parquet``: all columns, and
         metadata, by the package pyarrow of the extra ``points``. ``.usda``: a ``Points`` prim with normals,
-        ids, and widths of half the least distance.
+        ids, and widths of the least distance where one is promised, at which equal disks touch.
     points : SurfacePoints
         What to write.
 
@@ -140,11 +140,12 @@ def _write_usda(path: Path, columns: Columns, note: dict[str, Any]) -> None:
     lines = ["#usda 1.0", "(", f"    doc = {_quote(json.dumps(note))}", '    defaultPrim = "points"', ")", ""]
     lines += ['def Points "points"', "{", f"    point3f[] points = [{_tuples(places)}]"]
     lines += [f"    normal3f[] normals = [{_tuples(normals)}] (", '        interpolation = "vertex"', "    )"]
-    lines += [
-        f"    float[] widths = [{note['distance']:.9g}] (",
-        '        interpolation = "constant"',
-        "    )",
-    ]
+    if note["distance"] > 0:
+        lines += [
+            f"    float[] widths = [{note['distance']:.9g}] (",
+            '        interpolation = "constant"',
+            "    )",
+        ]
     lines += [f"    int64[] ids = [{', '.join(map(str, range(len(places))))}]", "}", ""]
     write_text(path, "\n".join(lines))
 

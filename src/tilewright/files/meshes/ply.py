@@ -1,228 +1,92 @@
-"""Polygon file format (Turk 1994): text or binary, faces as lists of vertex numbers."""
-
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
+"""Meshes in PLY files: vertices, faces, and texture coordinates of either."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tilewright.domains import Mesh
-from tilewright.files.point_formats import PLY_KINDS, PLY_ORDERS
+from tilewright.errors import TilewrightValueError, brief
+from tilewright.files.meshes.ply_elements import Columns, Lists, read_elements
+from tilewright.files.meshes.raw import RawMesh, has_no_faces
+from tilewright.showing import many
 
-_LONGEST_HEADER = 2**16
-_PAIRS = (("u", "v"), ("s", "t"), ("texture_u", "texture_v"))
-_PLAIN = {"x", "y", "z", "nx", "ny", "nz", "vertex_indices", "vertex_index", "texcoord"} | {
-    name for pair in _PAIRS for name in pair
-}
-
-
-@dataclass(frozen=True)
-class _Property:
-    name: str
-    kind: str
-    counted: str = ""
-    """The type of its number of entries, of lists."""
+_INDICES = ("vertex_indices", "vertex_index")
+_COORDINATES = (("s", "t"), ("u", "v"), ("texture_u", "texture_v"), ("texture_s", "texture_t"))
+_STATED = {"edge": "edge", "tristrips": "triangle strip", "polyline": "polyline", "line": "line"}
+"""Elements that hold shapes of another kind."""
 
 
-@dataclass(frozen=True)
-class _Element:
-    name: str
-    count: int
-    properties: list[_Property]
+def read_ply(data: bytes) -> RawMesh:
+    """The mesh of a PLY file, in ASCII or in binary of either order; further properties are passed over."""
+    elements, left = read_elements(data)
+    if "vertex" not in elements:
+        raise TilewrightValueError("has no vertices")
+    vertices = _vertices(elements["vertex"])
+    faces = elements.get("face", {})
+    if not faces:
+        if elements.get("tristrips"):
+            raise TilewrightValueError("holds triangle strips and no faces, and strips are not read")
+        raise has_no_faces(len(vertices), readable=True)
+    indices = next((faces[name] for name in _INDICES if name in faces), None)
+    if not isinstance(indices, Lists):
+        raise TilewrightValueError("has faces without lists of vertex_indices")
+    if indices.values.dtype.kind not in "iu":
+        raise TilewrightValueError(f"names vertices by {indices.values.dtype}, not by whole numbers")
+    corners = indices.values.astype(np.int64)
+    mesh = RawMesh(vertices, corners, indices.starts)
+    mesh.texcoords = _texcoords(elements["vertex"], faces, mesh)
+    mesh.notes += _notes(elements, left)
+    return mesh
 
 
-def read_ply_mesh(path: Path) -> tuple[Mesh, list[str]]:
-    """The mesh, and what was passed over."""
-    data = path.read_bytes()
-    order, elements, begin = _read_header(data)
-    columns: dict[str, dict[str, Any]] = {}
-    body = _Text(data[begin:]) if order == "" else _Binary(data, begin, order)
-    for element in elements:
-        columns[element.name] = body.read(element)
-    vertices, faces = columns.get("vertex", {}), columns.get("face", {})
-    if not {"x", "y", "z"} <= vertices.keys():
-        raise ValueError("it holds no vertices with x, y and z")
-    rows = faces.get("vertex_indices", faces.get("vertex_index"))
-    if rows is None:
-        raise ValueError("it holds points and no faces")
-    sizes, corners = rows
-    mesh = Mesh(
-        np.stack([np.asarray(vertices[axis], np.float64) for axis in "xyz"], axis=1),
-        corners.astype(np.int64),
-        np.concatenate([[0], np.cumsum(sizes, dtype=np.int64)]),
-        _find_texcoords(vertices, faces, sizes, corners),
+def read_ply_property(data: bytes, name: str) -> NDArray[np.float64]:
+    """A number that every vertex of a PLY file has, or else every face."""
+    elements, _ = read_elements(data)
+    found = [elements.get(element, {}) for element in ("vertex", "face")]
+    for columns in found:
+        if isinstance(values := columns.get(name), np.ndarray):
+            return values.astype(np.float64)
+    names = [one for columns in found for one in columns if isinstance(columns[one], np.ndarray)]
+    raise TilewrightValueError(
+        f"holds no property {brief(name)}", value=name, advice=f"it holds {', '.join(names)}" if names else ""
     )
-    passed = [e.name for e in elements if e.name not in ("vertex", "face") and e.count]
-    passed += [
-        p.name for e in elements if e.name in ("vertex", "face") for p in e.properties if p.name not in _PLAIN
-    ]
-    return mesh, passed
 
 
-def _find_texcoords(
-    vertices: dict[str, Any], faces: dict[str, Any], sizes: NDArray[Any], corners: NDArray[Any]
-) -> NDArray[np.float64] | None:
-    """Texture coordinates of the corners: lists of the faces, or of the vertices."""
-    if "texcoord" in faces:
-        counts, values = faces["texcoord"]
-        return values.reshape(-1, 2).astype(np.float64) if np.array_equal(counts, 2 * sizes) else None
-    for u, v in _PAIRS:
-        if u in vertices and v in vertices and corners.size and corners.max() < len(vertices[u]):
-            return np.stack([vertices[u], vertices[v]], axis=1).astype(np.float64)[corners.astype(np.int64)]
+def _vertices(columns: Columns) -> NDArray[np.float64]:
+    """Places of the vertices."""
+    if not columns:
+        raise TilewrightValueError("has no vertices")
+    axes = [columns.get(axis) for axis in "xyz"]
+    if not all(isinstance(axis, np.ndarray) for axis in axes):
+        raise TilewrightValueError("has vertices without x, y and z")
+    return np.stack([np.asarray(axis, np.float64) for axis in axes], axis=1)
+
+
+def _texcoords(vertex: Columns, faces: Columns, mesh: RawMesh) -> NDArray[np.float64] | None:
+    """Texture coordinates of corners: of their faces, else of their vertices, else none."""
+    listed = faces.get("texcoord")
+    if isinstance(listed, Lists):
+        if np.array_equal(listed.starts, 2 * mesh.starts):
+            return listed.values.astype(np.float64).reshape(-1, 2)
+        mesh.notes.append("texture coordinates, which some of its faces lack")
+        return None
+    for names in _COORDINATES:
+        pair = [vertex.get(name) for name in names]
+        if all(isinstance(one, np.ndarray) for one in pair):
+            if ((mesh.corners < 0) | (mesh.corners >= len(mesh.vertices))).any():
+                return None  # the mesh is refused for this
+            return np.stack([np.asarray(one, np.float64) for one in pair], axis=1)[mesh.corners]
     return None
 
 
-def _read_header(data: bytes) -> tuple[str, list[_Element], int]:
-    end = data.find(b"end_header", 0, _LONGEST_HEADER)
-    if not data.startswith(b"ply") or end < 0:
-        raise ValueError("it does not begin as a PLY file does")
-    begin = data.find(b"\n", end) + 1
-    if begin == 0:
-        raise ValueError("it ends with its header")
-    order, elements = None, []
-    for line in data[:end].decode("ascii", "replace").splitlines():
-        match line.split():
-            case ["format", kind, _] if kind in PLY_ORDERS:
-                order = PLY_ORDERS[kind]
-            case ["element", name, count]:
-                elements.append(_Element(name, int(count), []))
-            case ["property", "list", counted, kind, name]:
-                elements[-1].properties.append(_Property(name, _find_kind(kind), _find_kind(counted)))
-            case ["property", kind, name]:
-                elements[-1].properties.append(_Property(name, _find_kind(kind)))
-    if order is None:
-        raise ValueError("its format is none of a PLY file")
-    return order, elements, begin
-
-
-def _find_kind(word: str) -> str:
-    if word not in PLY_KINDS:
-        raise ValueError(f"its header has a type {word}")
-    return PLY_KINDS[word]
-
-
-def _too_short(element: _Element) -> ValueError:
-    return ValueError(f"it ends before its {element.count} of {element.name}")
-
-
-class _Text:
-    """Elements as words."""
-
-    def __init__(self, data: bytes) -> None:
-        self.words = data.split()
-        self.at = 0
-
-    def read(self, element: _Element) -> dict[str, Any]:
-        """The columns of an element: an array each, of lists their sizes and all entries."""
-        names = element.properties
-        if element.count > len(self.words) - self.at and names:
-            raise _too_short(element)
-        if not any(p.counted for p in names):
-            width = len(names)
-            last = self.at + width * element.count
-            if last > len(self.words):
-                raise _too_short(element)
-            table = np.array(self.words[self.at : last], np.float64).reshape(element.count, width)
-            self.at = last
-            return {p.name: table[:, k] for k, p in enumerate(names)}
-        sizes: dict[str, list[int]] = {p.name: [] for p in names}
-        values: dict[str, list[float]] = {p.name: [] for p in names}
-        for _ in range(element.count):
-            for p in names:
-                if self.at >= len(self.words):
-                    raise _too_short(element)
-                size = 1
-                if p.counted:
-                    size = int(self.words[self.at])
-                    self.at += 1
-                if size < 0 or self.at + size > len(self.words):
-                    raise _too_short(element)
-                sizes[p.name].append(size)
-                values[p.name].extend(float(word) for word in self.words[self.at : self.at + size])
-                self.at += size
-        return {
-            p.name: (np.array(sizes[p.name]), np.array(values[p.name]))
-            if p.counted
-            else np.array(values[p.name])
-            for p in names
-        }
-
-
-class _Binary:
-    """Elements as bytes of one order."""
-
-    def __init__(self, data: bytes, begin: int, order: str) -> None:
-        self.data, self.at, self.order = data, begin, order
-
-    def read(self, element: _Element) -> dict[str, Any]:
-        """The columns of an element: an array each, of lists their sizes and all entries."""
-        if not element.count or not element.properties:
-            return {
-                p.name: (np.zeros(0, int), np.zeros(0)) if p.counted else np.zeros(0)
-                for p in element.properties
-            }
-        if element.count > len(self.data) - self.at:
-            raise _too_short(element)
-        found = self._read_alike(element, self._first_sizes(element))
-        return self._read_each(element) if found is None else found
-
-    def _first_sizes(self, element: _Element) -> dict[str, int]:
-        """How long the lists of the first row are."""
-        at, sizes = self.at, {}
-        for p in element.properties:
-            if p.counted:
-                sizes[p.name] = int(self._take(element, p.counted, at, 1)[0])
-                at += np.dtype(p.counted).itemsize
-            at += np.dtype(p.kind).itemsize * sizes.get(p.name, 1)
-        return sizes
-
-    def _take(self, element: _Element, kind: str, at: int, count: int) -> NDArray[Any]:
-        if count < 0 or at + count * np.dtype(kind).itemsize > len(self.data):
-            raise _too_short(element)
-        return np.frombuffer(self.data, self.order + kind, count, at)
-
-    def _read_alike(self, element: _Element, sizes: dict[str, int]) -> dict[str, Any] | None:
-        """All rows at once, where their lists are as long as those of the first."""
-        fields: list[Any] = []
-        for p in element.properties:
-            if p.counted:
-                fields.append((f"{p.name} count", self.order + p.counted))
-                fields.append((p.name, self.order + p.kind, (sizes[p.name],)))
-            else:
-                fields.append((p.name, self.order + p.kind))
-        row = np.dtype(fields)
-        if self.at + row.itemsize * element.count > len(self.data):
-            if not sizes:
-                raise _too_short(element)
-            return None
-        table = np.frombuffer(self.data, row, element.count, self.at)
-        if any((table[f"{name} count"] != size).any() for name, size in sizes.items()):
-            return None
-        self.at += row.itemsize * element.count
-        return {
-            p.name: (table[f"{p.name} count"].astype(np.int64), table[p.name].ravel())
-            if p.counted
-            else table[p.name]
-            for p in element.properties
-        }
-
-    def _read_each(self, element: _Element) -> dict[str, Any]:
-        """Row by row."""
-        sizes: dict[str, list[int]] = {p.name: [] for p in element.properties}
-        values: dict[str, list[NDArray[Any]]] = {p.name: [] for p in element.properties}
-        for _ in range(element.count):
-            for p in element.properties:
-                size = 1
-                if p.counted:
-                    size = int(self._take(element, p.counted, self.at, 1)[0])
-                    self.at += np.dtype(p.counted).itemsize
-                values[p.name].append(self._take(element, p.kind, self.at, size))
-                sizes[p.name].append(size)
-                self.at += np.dtype(p.kind).itemsize * size
-        return {
-            p.name: (np.array(sizes[p.name]), np.concatenate(values[p.name]))
-            if p.counted
-            else np.concatenate(values[p.name])
-            for p in element.properties
-        }
+def _notes(elements: dict[str, Columns], left: int) -> list[str]:
+    """What the file states and is not heeded."""
+    notes = []
+    for name, noun in _STATED.items():
+        if columns := elements.get(name):
+            first = next(iter(columns.values()))
+            notes.append(many(len(first.starts) - 1 if isinstance(first, Lists) else len(first), noun))
+    textures = elements.get("face", {}).get("texnumber")
+    if isinstance(textures, np.ndarray) and len(textures) and (textures != textures[0]).any():
+        notes.append(f"which of {len(np.unique(textures))} textures each face has")
+    if left:
+        notes.append("what follows its last element")
+    return notes
