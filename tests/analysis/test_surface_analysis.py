@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 import tilewright as tw
-from small_surfaces import box, grid, random_spots, spots_at, torus
+from small_surfaces import grid, random_spots, spots_at, torus
 from tilewright.analysis.surfaces.geodesics import Ways
 from tilewright.analysis.surfaces.holes import Holes, count_evenness, look_around
 from tilewright.analysis.surfaces.neighbors import share_of_six
-from tilewright.analysis.surfaces.places import spread_places, walk
 from tilewright.analysis.surfaces.report import analyze_surface
 from tilewright.domains import Spots
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
@@ -113,37 +112,6 @@ def test_neighbors_are_those_of_a_voronoi_diagram():
     expected = (np.diff(indices)[inside] == 6).mean()
     up = np.tile([0.0, 0.0, 1.0], (1500, 1))
     assert share_of_six(cKDTree(points), points, up) == pytest.approx(expected, abs=0.02)
-
-
-def test_places_are_even_in_area():
-    surface = grid(9, 7, lambda x, y: (x**2, y, 0.3 * x))
-    places = spread_places(surface, 50_000)
-    counts = np.bincount(places.triangles, minlength=len(surface.areas))
-    assert abs(counts - 50_000 * surface.areas / surface.area).max() <= 1
-    assert places.weights.min() >= 0
-    assert places.weights.sum(axis=1) == pytest.approx(1)
-    quarter = (places.weights[:, 0] > 0.5).mean()
-    assert quarter == pytest.approx(0.25, abs=0.002)
-
-
-def test_walks_are_straight():
-    surface = grid(7, 5)
-    rng = np.random.default_rng(1)
-    start, end = rng.random((200, 2)), rng.random((200, 2))
-    steps = np.column_stack([end - start, rng.random(200)])
-    at = walk(surface, sheet_spots(surface, start), steps).positions(surface)
-    assert at[:, :2] == pytest.approx(end, abs=1e-9)
-
-
-def test_walks_go_around_edges_and_stop_at_borders():
-    cube = box()
-    start = spots_at(cube, [(0.9, 0.5, 1), (0.9, 0.5, 1)])
-    ends = walk(cube, start, np.array([(0.3, 0.1, 0), (1.3, 0.0, 0)])).positions(cube)
-    assert ends == pytest.approx(np.array([(1, 0.6, 0.8), (0.8, 0.5, 0)]))
-    sheet = grid(2, 2)
-    assert walk(sheet, sheet_spots(sheet, [(0.5, 0.4)]), np.array([(2.0, 0, 0)])).positions(
-        sheet
-    ) == pytest.approx(np.array([(1, 0.4, 0)]))
 
 
 def test_faults_are_counted():

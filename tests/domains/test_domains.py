@@ -1,5 +1,7 @@
 """Meshes are mended as said, and the medial domain has the laws of the paper on every one of them."""
 
+import time
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from tilewright.domains.curve import morton_numbers
 from tilewright.domains.medial import MedialDomain
 from tilewright.domains.nearest import nearest_spots
 from tilewright.domains.repair import make_sound
+from tilewright.domains.spreading import spread_spots
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 from tilewright.tilings.surface_tiling import SurfaceTiling
 
@@ -145,6 +148,19 @@ def test_concave_faces_are_cut_by_ears():
     assert (boomerang.normals[:, 2] == 1).all()
 
 
+def test_large_concave_faces_take_no_longer_than_their_size_asks():
+    """A comb of 1,000 corners, whose ears hide each other."""
+    x = np.arange(500)
+    teeth = np.stack([x, 1.0 + 9 * (x % 2), 0 * x], axis=1)
+    floor = np.stack([x[::-1], 0.1 * np.sin(x[::-1]), 0 * x], axis=1)
+    begun = time.process_time()
+    surface = make_sound(Mesh.of(np.concatenate([floor[::-1], teeth[::-1]]), [range(1000)])).cut.surface
+    check_twins(surface)
+    assert len(surface.triangles) == 998
+    assert (surface.normals[:, 2] > 0).all()
+    assert time.process_time() - begun < 5
+
+
 @pytest.mark.parametrize("level", [0, 1, 2])
 @pytest.mark.parametrize("name", ALL)
 def test_every_corner_has_four_tiles_that_see_it_alike(name, level):
@@ -244,3 +260,14 @@ def test_spots_know_where_they_are():
     assert np.array_equal(spots.positions(surface)[0], surface.vertices[surface.triangles[0, 0]])
     assert np.array_equal(spots[np.array([1])].weights, spots.weights[1:])
     assert np.array_equal(spots.normals(surface)[1], surface.normals[3])
+
+
+def test_places_are_even_in_area():
+    surface = make_sound(fan(24)).cut.surface
+    places = spread_spots(surface, 50_000)
+    counts = np.bincount(places.triangles, minlength=len(surface.areas))
+    assert abs(counts - 50_000 * surface.areas / surface.area).max() <= 1
+    assert places.weights.min() >= 0
+    assert places.weights.sum(axis=1) == pytest.approx(1)
+    quarter = (places.weights[:, 0] > 0.5).mean()
+    assert quarter == pytest.approx(0.25, abs=0.002)

@@ -128,6 +128,18 @@ def test_a_steep_density_has_its_counts_in_every_band():
     assert bands == pytest.approx(wanted, rel=0.06, abs=10)
 
 
+def test_with_a_density_the_promise_is_that_of_the_densest_place():
+    """Even where one face spans all of it: distances follow, and none is below what is promised."""
+    made = tw.surface_points(square(1), 2000, density=lambda p: 64 ** p[:, 0])
+    places = made.positions
+    near, who = KDTree(places).query(places, 2)
+    assert 0 < made.distance <= near[:, 1].min()
+    wanted = np.sqrt(63 / np.log(64) / 64 ** places[:, 0] / (2 * np.sqrt(3) * 2000))
+    reached = near[:, 1] / (wanted + wanted[who[:, 1]])
+    assert reached.min() == pytest.approx(0.765, abs=0.005)
+    assert made.figures["rho"] == pytest.approx(0.765, abs=0.002)
+
+
 def test_a_picture_is_read_between_pixels_with_v_up():
     mesh = square(1)
     mesh = tw.Mesh(mesh.vertices, mesh.corners, mesh.starts, mesh.vertices[mesh.corners][:, :2])
@@ -231,6 +243,6 @@ def test_mended_meshes_are_told(tmp_path):
     soup = np.concatenate([np.asarray(cube().vertices)[face] for face in cube().faces])
     made = tw.surface_points((soup, np.arange(24).reshape(6, 4)), 50)
     assert "welded" in made.notes[0]
-    (tmp_path / "a.off").write_bytes(b"OFF 3 1 0 0 0 0 1 0 0 0 1 0\n3 0 1 2 255 0 0")
-    with pytest.warns(TilewrightWarning, match="colors"):
-        assert len(tw.surface_points(tmp_path / "a.off", 20)) == 20
+    (tmp_path / "a.obj").write_bytes(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n")
+    with pytest.warns(TilewrightWarning, match="1 line"):
+        assert len(tw.surface_points(tmp_path / "a.obj", 20)) == 20

@@ -1,12 +1,10 @@
 """Surfaces made in code, those of shared meshes, and points on them."""
 
-from pathlib import Path
-
 import numpy as np
 
-from tilewright.domains import Mesh, Spots, Surface
-
-MESHES = Path(__file__).parents[3] / "shared" / "data" / "meshes"
+from meshes import FOLDER as MESHES
+from tilewright import read_mesh
+from tilewright.domains import Spots, Surface
 
 
 def surface_of(vertices, triangles):
@@ -72,31 +70,14 @@ def spots_at(surface, places):
     return Spots(np.array(triangles, np.int32), np.array(weights))
 
 
-def _read(name):
-    """Vertices and faces of a mesh of the shared data, or None where there is none."""
-    path = MESHES / name
-    if not path.exists():
-        return None
-    lines = path.read_text().split("\n")
-    if path.suffix == ".off":
-        count = int(lines[1].split()[0])
-        vertices = [list(map(float, line.split())) for line in lines[2 : 2 + count]]
-        return vertices, [list(map(int, line.split()))[1:] for line in lines[2 + count :] if line.strip()]
-    vertices = [list(map(float, line.split()[1:4])) for line in lines if line.startswith("v ")]
-    faces = [line.split()[1:] for line in lines if line.startswith("f ")]
-    return vertices, [[int(corner.split("/")[0]) - 1 for corner in face] for face in faces]
-
-
 def shared_mesh(name):
     """A mesh of the shared data, or None where there is none."""
-    found = _read(name)
-    return found and Mesh.of(*found)
+    return read_mesh(MESHES / name) if (MESHES / name).exists() else None
 
 
 def shared_surface(name):
     """The same as a surface, its faces cut into fans."""
-    found = _read(name)
-    if found is None:
-        return None
-    vertices, faces = found
-    return surface_of(vertices, [(f[0], f[k], f[k + 1]) for f in faces for k in range(1, len(f) - 1)])
+    mesh = shared_mesh(name)
+    return mesh and surface_of(
+        mesh.vertices, [(f[0], f[k], f[k + 1]) for f in mesh.faces for k in range(1, len(f) - 1)]
+    )

@@ -8,10 +8,11 @@ from scipy.spatial import KDTree
 
 from meshes import CLOSED, OPEN, band, cube, fan, square, torus
 from tilewright.domains import Spots
+from tilewright.domains.nearest import nearest_spots
 from tilewright.domains.repair import make_sound
 from tilewright.kernels.threads import at_most
 from tilewright.samplers.surfaces import RECIPES, Recipe, refine_spots
-from tilewright.samplers.surfaces.ground import Ground, Lists, Walkers
+from tilewright.samplers.surfaces.ground import Ground, Lists, Walkers, walk_spots
 from tilewright.samplers.surfaces.refining import _Crowd, _measure_cells
 
 FINE = {"square": square(8), "torus": torus(), "cube": cube(), "fan": fan(24), "band": band(twist=2)}
@@ -161,3 +162,22 @@ def test_the_number_of_threads_makes_no_difference():
         with at_most(count):
             made.append(refine_spots(surface, spots, RECIPES["even"]).spots)
     assert made[0] == made[1]
+
+
+def test_steps_are_laid_into_the_surface_and_go_around_edges():
+    """In the plane as far as they point; around the edge of a cube; to the boundary, and no farther."""
+    sheet = surface_of(square(5))
+    spots = throw(sheet, 200)
+    rng = np.random.default_rng(1)
+    start = spots.positions(sheet)
+    end = rng.random((200, 2))
+    steps = np.column_stack([end - start[:, :2], rng.random(200)])
+    at = walk_spots(Ground.of(sheet), spots, steps).positions(sheet)
+    assert at[:, :2] == pytest.approx(end, abs=1e-9)
+    box = surface_of(cube())
+    start = nearest_spots(box, np.array([(0.9, 0.5, 1), (0.9, 0.5, 1)]))[0]
+    ends = walk_spots(Ground.of(box), start, np.array([(0.3, 0.1, 0), (1.3, 0.0, 0)])).positions(box)
+    assert ends == pytest.approx(np.array([(1, 0.6, 0.8), (0.8, 0.5, 0)]))
+    start = nearest_spots(sheet, np.array([(0.5, 0.43, 0)]))[0]
+    ends = walk_spots(Ground.of(sheet), start, np.array([(2.0, 0, 0)])).positions(sheet)
+    assert ends == pytest.approx(np.array([(1, 0.43, 0)]))

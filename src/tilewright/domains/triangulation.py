@@ -117,11 +117,15 @@ def _cut_ears(places: NDArray[np.float64]) -> NDArray[np.int64]:
     axis = int(np.argmax(np.abs(normal)))
     flat = np.delete(places, axis, axis=1) * ([1, -1][axis == 1] * np.sign(normal[axis]), 1)
     ring, made = list(range(len(places))), []
+    round = [_roundness(flat, ring, k) for k in range(len(ring))]
     while len(ring) > 3:
-        ears = [(_roundness(flat, ring, k), -k) for k in range(len(ring))]
-        k = -max(ears)[1]
+        if max(round) < 0:  # what lay within an ear may be gone
+            round = [_roundness(flat, ring, k) for k in range(len(ring))]
+        k = round.index(max(round))
         made.append((ring[k - 1], ring[k], ring[(k + 1) % len(ring)]))
-        del ring[k]
+        del ring[k], round[k]
+        for near in (k - 1, k % len(ring)):  # the only ones whose ears have changed
+            round[near] = _roundness(flat, ring, near)
     return np.array([*made, ring])
 
 

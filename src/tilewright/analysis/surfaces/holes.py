@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.analysis.surfaces.geodesics import Ways
-from tilewright.analysis.surfaces.places import spread_places, walk
 from tilewright.domains.spots import Spots
+from tilewright.domains.spreading import spread_spots
 from tilewright.domains.surface import Surface
+from tilewright.samplers.surfaces.ground import Ground, walk_spots
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
@@ -28,7 +29,7 @@ _EXPECTED = 5
 
 def look_around(surface: Surface, count: int) -> Spots:
     """Places even in area, 16 for each of ``count`` points."""
-    return spread_places(surface, min(max(SAMPLES * count, _FEWEST), _MOST))
+    return spread_spots(surface, min(max(SAMPLES * count, _FEWEST), _MOST))
 
 
 class Holes:
@@ -59,11 +60,12 @@ class Holes:
         """Distances after steps to whichever place around is worst, each half as long where none is worse."""
         surface = self._surface
         reach = np.full(len(places), np.sqrt(surface.area / count), np.float64)
+        ground = Ground.of(surface)
         angles = np.arange(_DIRECTIONS) * (2 * np.pi / _DIRECTIONS)
         for _ in range(_ROUNDS):
             steps = _ring(places.normals(surface), angles) * reach[:, np.newaxis, np.newaxis]
             starts = Spots(places.triangles.repeat(_DIRECTIONS), places.weights.repeat(_DIRECTIONS, axis=0))
-            ends = walk(surface, starts, steps.reshape(-1, 3))
+            ends = walk_spots(ground, starts, steps.reshape(-1, 3))
             found = self._measure(ends).reshape(-1, _DIRECTIONS)
             best = found.argmax(axis=1)
             farthest = found[np.arange(len(best)), best]

@@ -63,7 +63,7 @@ class Laid:
 def fit_domain(domain: MedialDomain, count: int, weighting: Weighting | None) -> tuple[MedialDomain, int]:
     """The domain subdivided, and points a tile, so that no place needs more points than its tile has."""
     while True:
-        loads = find_loads(domain, weighting)
+        loads = _find_loads(domain, weighting)
         # Sectors of equal areas would each need a quarter of the points of a tile.
         full = 4 * count * float(np.quantile(loads, 0.999)) / loads.sum()
         if (domain.half_edges.twins < 0).any():
@@ -74,7 +74,7 @@ def fit_domain(domain: MedialDomain, count: int, weighting: Weighting | None) ->
         domain = domain.subdivide()
 
 
-def find_loads(domain: MedialDomain, weighting: Weighting | None) -> NDArray[np.float64]:
+def _find_loads(domain: MedialDomain, weighting: Weighting | None) -> NDArray[np.float64]:
     """How many points each sector wants, in any unit."""
     areas = domain.sector_areas
     return areas if weighting is None else areas * weighting.at(domain.sector_middles)
@@ -178,7 +178,7 @@ def _place(
 def _jitter(tiling: SurfaceTiling, count: int, weighting: Weighting | None) -> NDArray[np.float64]:
     """By how much of a point each tile rounds up or down, from -0.5 to 0.5."""
     domain = tiling.domain
-    loads = find_loads(domain, weighting)
+    loads = _find_loads(domain, weighting)
     wanted = np.bincount(domain.sector_tiles, loads * (count / loads.sum()), len(domain.tile_names))
     lots = mix(domain.tile_names ^ derive_key(make_key(tiling.seed), 18))
     units = (lots >> np.uint64(11)).astype(np.float64) / 2**53

@@ -35,7 +35,8 @@ class SurfacePoints(Alike, Tabled):
     moved : bool array, shape (n,)
         Whether it was put elsewhere, into a hole, rather than pushed from where its tile has it.
     distance : float
-        No two points are closer, in a straight line, in the mesh's units; 0 where nothing is promised.
+        No two points are closer, in a straight line, in the mesh's units; 0 where nothing is promised. With a
+        density it is that of the densest place.
     figures : dict
         How they were made and what came of it, plain JSON values.
     notes : tuple of str

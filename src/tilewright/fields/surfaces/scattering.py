@@ -1,7 +1,7 @@
 """Points over any mesh: dual tiles laid on it, then refined (Li et al. 2010)."""
 
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +13,10 @@ from tilewright.domains import Mesh, Spots, Surface
 from tilewright.domains.medial import MedialDomain
 from tilewright.domains.nearest import nearest_spots
 from tilewright.domains.repair import SoundMesh, make_sound
+from tilewright.domains.spreading import spread_spots
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields.surfaces.density import Density, Weighting
-from tilewright.fields.surfaces.laying import Laid, find_loads, fit_domain, lay
+from tilewright.fields.surfaces.laying import Laid, fit_domain, lay
 from tilewright.fields.surfaces.points import SurfacePoints
 from tilewright.samplers.surfaces import RECIPES, Refined, refine_spots
 from tilewright.seeds import Seed, make_key
@@ -29,6 +30,8 @@ _LARGEST_RHO = {"even": 0.85, "poisson": 0.78, "tiles": 0.75}
 _MOST = 50_000_000
 _COLORS = {"even": 1, "poisson": 1, "tiles": 2}
 """Colors of corners: where points are moved afterwards no repetition is left that more tiles would spare."""
+_PROBES = 65536
+"""Spots over the whole surface whose mean density all others are compared with."""
 _SET_RHO = 0.7
 """Relative radius of the tiles that are refined: the largest at which they need no second try."""
 
@@ -182,9 +185,9 @@ def refine_points(
     return plan.finish(spots, None, made, {"method": f"refined, {kind}"}, notes)
 
 
-@cache
+@lru_cache(maxsize=32)
 def _find_tiles(kind: str, points: int, rho: float) -> DualPointTiles:
-    """The one set of tiles of a kind; what was made of it stays."""
+    """The set of tiles of a kind; what was made of the last ones stays."""
     return dual_point_tiles(_COLORS[kind], points, rho if kind == "tiles" else _SET_RHO, seed=0)
 
 
@@ -263,9 +266,8 @@ class _Plan:
         """Points pushed apart and moved into holes."""
         scale = None
         if self.weighting is not None:
-            domain = MedialDomain.of(self.sound)
-            loads = find_loads(domain, self.weighting)
-            scale = self.weighting.spacing(float(loads.sum() / domain.sector_areas.sum()))
+            mean = self.weighting.at(spread_spots(self.surface, _PROBES)).mean()
+            scale = self.weighting.spacing(float(mean))
         recipe = replace(RECIPES[self.kind], rho=self.rho)
         return refine_spots(self.surface, spots, recipe, scale=scale, progress=progress)
 
@@ -278,12 +280,12 @@ class _Plan:
         notes: tuple[str, ...] = (),
     ) -> SurfacePoints:
         """The points, who they are, and what was reached."""
-        count, rho, moved = len(spots), 0.0, np.zeros(len(spots), bool)
+        count, distance, moved = len(spots), 0.0, np.zeros(len(spots), bool)
         notes = (*self.sound.notes, *notes)
         figures = {**figures, "count": count, "kind": self.kind}
         if made is not None:
-            spots, rho, moved = made.spots, made.rho, made.moved
-            figures |= {"rho": rho, "pairs_left": made.pairs_left, "sweeps": made.sweeps}
+            spots, distance, moved = made.spots, made.distance, made.moved
+            figures |= {"rho": made.rho, "pairs_left": made.pairs_left, "sweeps": made.sweeps}
             if made.pairs_left:
                 notes = (*notes, self._short(made))
         none = np.full(count, -1)
@@ -296,7 +298,7 @@ class _Plan:
             none if laid is None else laid.numbers.astype(np.int64),
             ((np.arange(count) + 0.5) / count).astype(np.float32),
             moved,
-            2 * rho * float(np.sqrt(self.surface.area / (2 * np.sqrt(3) * count))),
+            distance,
             figures,
             notes,
         )

@@ -82,6 +82,18 @@ class Walkers:
         return Spots(self.triangles.copy(), self.weights.copy())
 
 
+def walk_spots(ground: Ground, spots: Spots, steps: NDArray[np.float64]) -> Spots:
+    """Where spots come to lie that go straight along the surface, as far and where ``steps`` (n, 3) point.
+
+    What points out of a triangle's plane is left out; along the boundary they slide.
+    """
+    normals = spots.normals(ground.surface)
+    flat = steps - np.einsum("nd,nd->n", steps, normals)[:, np.newaxis] * normals
+    walkers = Walkers.of(spots, ground.surface)
+    ground.walk(walkers, np.arange(len(spots), dtype=np.int32), flat)
+    return Spots(walkers.triangles, walkers.weights)
+
+
 @dataclass(frozen=True, eq=False)
 class Lists:
     """The nearest places around each of n others.

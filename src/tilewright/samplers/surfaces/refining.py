@@ -40,7 +40,9 @@ class Refined:
     sweeps : int
         Rounds of pushing that were needed.
     rho : float
-        Half of the least distance over the radius of the densest packing.
+        Half of the least distance over the radius of the densest packing, where ``scale`` is 1.
+    distance : float
+        No two points are closer in a straight line.
     """
 
     spots: Spots
@@ -48,6 +50,7 @@ class Refined:
     pairs_left: int
     sweeps: int
     rho: float
+    distance: float
 
 
 class _Crowd:
@@ -120,8 +123,7 @@ def refine_spots(
             if not filled.any():
                 break
         sweeps += _push(crowd, recipe)
-    pairs, rho = _tell(crowd, recipe)
-    return Refined(crowd.walkers.spots, moved, pairs, sweeps, rho)
+    return _tell(crowd, recipe, moved, sweeps)
 
 
 def _say(progress: Progress | None, done: int, total: int) -> None:
@@ -259,14 +261,15 @@ def _list_close(crowd: _Crowd, rho: float) -> tuple[Lists, NDArray[np.float64]]:
     return Lists.of(crowd.walkers.places, crowd.walkers.places, reach, _PUSH_ROOM), wanted
 
 
-def _tell(crowd: _Crowd, recipe: Recipe) -> tuple[int, float]:
-    """Pairs that are too close, and the least distance over that of the densest packing."""
+def _tell(crowd: _Crowd, recipe: Recipe, moved: NDArray[np.bool_], sweeps: int) -> Refined:
+    """What was reached, measured anew."""
     lists, wanted = _list_close(crowd, recipe.rho)
     there = np.arange(lists.numbers.shape[1]) < lists.counts[:, np.newaxis]
     one, other = np.nonzero(there)[0], lists.numbers[there]
-    if len(one) == 0:
-        return 0, recipe.rho
     apart = np.linalg.norm(crowd.walkers.places[one] - crowd.walkers.places[other], axis=1)
     share = apart / (wanted[one] + wanted[other])
-    least = float(share.min())
-    return int((share < 1 - 1e-9).sum()) // 2, recipe.rho * least
+    # Points that are on no list are farther apart than was asked.
+    rho = recipe.rho * (float(share.min()) if len(share) else 1.0)
+    distance = float(apart.min(initial=2 * float(wanted.min())))
+    pairs = int((share < 1 - 1e-9).sum()) // 2
+    return Refined(crowd.walkers.spots, moved, pairs, sweeps, rho, distance)
