@@ -294,3 +294,27 @@ def test_points_command_refuses(tmp_path, capsys, options, message):
     assert message in said
     assert said.count("\n") == 1
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("suffix", ["npy", "csv", "xyz", "ply"])
+def test_a_height_is_left_out_with_a_note(tmp_path, suffix):
+    """Where all points have the same, as in a plane, nothing is said."""
+    path = tmp_path / f"space.{suffix}"
+    for flat in (False, True):
+        space = np.random.default_rng(1).random((9, 3)) * (1, 1, not flat)
+        if suffix == "npy":
+            np.save(path, space)
+        elif suffix == "ply":
+            head = "ply\nformat ascii 1.0\nelement vertex 9\n" + "".join(
+                f"property float {a}\n" for a in "xyz"
+            )
+            path.write_text(head + "end_header\n" + "".join(f"{x} {y} {z}\n" for x, y, z in space))
+        else:
+            header = "x,y,z\n" if suffix == "csv" else ""
+            between = "," if suffix == "csv" else " "
+            path.write_text(header + "".join(f"{x}{between}{y}{between}{z}\n" for x, y, z in space))
+        if flat and suffix != "csv":  # of named columns of a text only two are read
+            assert len(tw.read_points(path)) == 9
+        else:
+            with pytest.warns(tw.TilewrightWarning, match="left out, since points lie in a plane"):
+                assert len(tw.read_points(path)) == 9

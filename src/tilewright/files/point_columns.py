@@ -55,6 +55,9 @@ def named_points(table: Mapping[str, NDArray[Any]]) -> NDArray[Any]:
     for name in chosen:
         if table[name].dtype.kind not in "iuf":
             raise TilewrightValueError(f"column {name} holds {table[name].dtype}, not numbers")
+    for name in set(names) - set(chosen):
+        if plain_name(name) == "z" and _varies(table[name]):
+            note_height(name)
     return np.stack([table[name] for name in chosen], axis=1)
 
 
@@ -74,13 +77,25 @@ def unnamed_points(table: NDArray[Any]) -> NDArray[Any]:
     if columns > 2 and rows > 2 and _counts(table[:, 0]):
         _note("the first of its columns counts the rows; the next two were taken")
         first = 1
+    if columns == first + 3 and _varies(table[:, -1]):
+        note_height("the third column")
     two: NDArray[Any] = table[:, first : first + 2]
     return two
+
+
+def _varies(column: NDArray[Any]) -> bool:
+    """Whether numbers are not all the same."""
+    return column.dtype.kind in "iuf" and bool((column != column[:1]).any())
 
 
 def _counts(column: NDArray[Any]) -> bool:
     """Whether a column is 0, 1, 2 ... or 1, 2, 3 ..."""
     return bool(column[0] in (0, 1) and (np.diff(column) == 1).all())
+
+
+def note_height(name: str) -> None:
+    """Say that points in space were taken for points of the plane."""
+    _note(f"{name} was left out, since points lie in a plane here; x and y were taken")
 
 
 def _note(text: str) -> None:

@@ -205,11 +205,12 @@ _READERS: dict[str, Read] = {
 def read_points(path: AnyPath, box: Box | None = None) -> PointSet:
     """Read points from a file, with what it says of them.
 
-    Of named columns those called x and y are taken, whatever their case, else longitude and latitude, easting
-    and northing or the like, else the first two that hold numbers and are no index, with a warning. Without
-    names the first two are taken, after one that counts the rows. Texts may be separated by commas,
-    semicolons, tabs, bars or blanks; fractions may begin with a comma where columns do not; lines that begin
-    with ``#``, ``%`` or ``//`` before the numbers are passed over.
+    Of named columns those called x and y are taken, whatever their case, else longitude and latitude,
+    easting and northing or the like, else the first two that hold numbers and are no index, with a
+    warning. Points of space lose their height, with a warning. Without names the first two are taken,
+    after one that counts the rows. Texts may be separated by commas, semicolons, tabs, bars or blanks;
+    fractions may begin with a comma where columns do not; lines that begin with ``#``, ``%`` or ``//``
+    before the numbers are passed over.
 
     Parameters
     ----------

@@ -13,7 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tilewright.errors import TilewrightValueError
-from tilewright.files.point_columns import choose_columns, not_a_number, unnamed_points
+from tilewright.files.point_columns import (
+    choose_columns,
+    not_a_number,
+    note_height,
+    plain_name,
+    unnamed_points,
+)
 from tilewright.files.point_notes import MARK, PointNote
 
 _ROWS = 2**16
@@ -114,6 +120,9 @@ def read_text(path: Path) -> tuple[NDArray[np.float64], PointNote | None]:
     if dialect.names:
         names = list(dialect.names) + [""] * (len(dialect.sample) - len(dialect.names))
         chosen = choose_columns(names, numeric + [False] * (len(names) - len(numeric)))
+        for k, name in enumerate(names):
+            if plain_name(name) == "z" and k not in chosen:
+                note_height(name)
         return _load(path, dialect, chosen, names), note
     columns = [k for k, yes in enumerate(numeric) if yes][:3]
     if len(columns) < 2:

@@ -51,13 +51,14 @@ def write_surface_points(path: AnyPath, points: _Noted) -> None:
     Examples
     --------
     >>> import tempfile
+    >>> import numpy as np
     >>> import tilewright as tw
     >>> square = tw.Mesh.of([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2, 3)])
     >>> points = tw.surface_points(square, 50, kind="tiles")
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     tw.write_surface_points(f"{folder}/points.ply", points)
-    ...     len(tw.read_points(f"{folder}/points.ply"))
-    50
+    ...     tw.write_surface_points(f"{folder}/points.npy", points)
+    ...     np.load(f"{folder}/points.npy").shape
+    (50, 3)
     """
     target = check_surface_file(path)
     if not (hasattr(points, "columns") and hasattr(points, "note")):
