@@ -11,7 +11,7 @@ LOWEST_PYTHON ?= python3.11
 # Every process has one thread for matrices, and threads without work sleep: else processes wait for each other.
 PYTEST = OPENBLAS_NUM_THREADS=1 OMP_WAIT_POLICY=passive $(BIN)/python -m pytest --numprocesses auto --maxprocesses 4 --dist worksteal
 
-.PHONY: demo test check bench docs gallery lint dist lowest clean
+.PHONY: demo test pages check bench docs gallery lint dist lowest clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -24,12 +24,16 @@ $(VENV)/.%-installed: $(BIN)/python pyproject.toml
 demo: $(VENV)/.demo-installed
 	$(BIN)/python examples/demo.py --output $(OUT) $(if $(PHOTO),"$(PHOTO)")
 
+# Loops are compiled while packages are fetched, once: else every process of the tests compiles its own.
 test: $(VENV)/.test-installed
-	sh .ci/install-browser
-	sh .ci/install-gpu
-	sh .ci/install-node-tools
-	sh .ci/install-validators
-	$(PYTEST)
+	@$(BIN)/tilewright warm --quiet & warm=$$!; \
+	sh .ci/install-browser && sh .ci/install-gpu && sh .ci/install-node-tools && sh .ci/install-validators; \
+	installed=$$?; wait $$warm && exit $$installed
+	$(PYTEST) -m "not pages"
+
+# The code of all pages and tutorials, as a reader would run it.
+pages: $(VENV)/.test-installed
+	$(PYTEST) -m pages
 
 # Laws of tile sets and tilings, and oracles of kernels: what to run while one works.
 check: $(VENV)/.test-installed

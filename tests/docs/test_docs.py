@@ -17,6 +17,7 @@ BLOCKS = [
 
 @pytest.mark.usefixtures("small_photographs")
 @pytest.mark.parametrize("block", BLOCKS)
+@pytest.mark.pages
 def test_code_blocks_run(block, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     exec(compile(block, "page", "exec"), {"__name__": "page"})

@@ -12,6 +12,7 @@ LARGEST = 150_000
 """Bytes of a picture on a page."""
 
 
+@pytest.mark.pages
 @pytest.mark.parametrize("name", PAGES)
 def test_a_tutorial_makes_what_it_shows(name, tmp_path, monkeypatch):
     pytest.importorskip("matplotlib")

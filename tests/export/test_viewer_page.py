@@ -272,9 +272,9 @@ def test_the_readout_names_tile_and_patch_under_the_pointer(open_page, gravel, n
     page = open_page(material, seed=7, width=800, height=300)  # small: it is drawn by the processor
     field = tw.TextureField(material, tw.stochastic(material.tiles, 256, 256, 7))
     seen = set()
-    for pixels, tilt, cell in ((32, 0, (3, 5)), (128, 0, (20, 30)), (96, 0.6, (7, 9)), (32, 0, (200, 180))):
+    for pixels, tilt, cell in ((32, 0, (200, 180)), (96, 0.6, (7, 9))):
         view(page, cellX=str(cell[0]), cellY=str(cell[1]), pixelsPerTile=pixels, tilt=tilt)
-        for at in ((40, 160), (433, 122)):
+        for at in ((40, 160), (433, 122), (333, 222)):
             page.mouse.move(*at)
             place = page.evaluate("([x, y]) => tilewright.locate(x, y)", at)
             x, y = (int(place[f"cell{a}"]) * 32 + int(place[f"texel{a}"]) for a in "XY")
