@@ -24,11 +24,11 @@ $(VENV)/.%-installed: $(BIN)/python pyproject.toml
 demo: $(VENV)/.demo-installed
 	$(BIN)/python examples/demo.py --output $(OUT) $(if $(PHOTO),"$(PHOTO)")
 
-# Loops are compiled while packages are fetched, once: else every process of the tests compiles its own.
 test: $(VENV)/.test-installed
-	@$(BIN)/tilewright warm --quiet & warm=$$!; \
-	sh .ci/install-browser && sh .ci/install-gpu && sh .ci/install-node-tools && sh .ci/install-validators; \
-	installed=$$?; wait $$warm && exit $$installed
+	sh .ci/install-browser
+	sh .ci/install-gpu
+	sh .ci/install-node-tools
+	sh .ci/install-validators
 	$(PYTEST) -m "not pages"
 
 # The code of all pages and tutorials, as a reader would run it.

@@ -246,3 +246,14 @@ def test_mended_meshes_are_told(tmp_path):
     (tmp_path / "a.obj").write_bytes(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n")
     with pytest.warns(TilewrightWarning, match="1 line"):
         assert len(tw.surface_points(tmp_path / "a.obj", 20)) == 20
+
+
+def test_a_density_may_be_steep_and_large_and_0_almost_everywhere():
+    mesh = square(1)
+    for density in (lambda p: np.full(len(p), 1e300), lambda p: (p[:, 0] > 0.97) * 1.0):
+        made = tw.surface_points(mesh, 300, density=density, kind="tiles")
+        assert density(made.positions).min() > 0
+    with pytest.raises(TilewrightValueError, match="lies almost all in so small a part"):
+        tw.surface_points(mesh, 9000, density=lambda p: np.exp(-1e6 * (p**2).sum(axis=1)))
+    with pytest.raises(TilewrightValueError, match="is 0 everywhere"):
+        tw.surface_points(mesh, 9, density=lambda p: 0 * p[:, 0])

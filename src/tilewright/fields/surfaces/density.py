@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -10,12 +11,15 @@ from numpy.typing import ArrayLike, NDArray
 from tilewright.checks import as_array, shape_error, type_error
 from tilewright.domains import Mesh, Spots
 from tilewright.domains.repair import SoundMesh
+from tilewright.domains.spreading import spread_spots
 from tilewright.errors import TilewrightTypeError, TilewrightValueError
 
 Density = ArrayLike | Callable[[NDArray[np.float64]], ArrayLike]
 """Weights of the vertices (V,) or of the faces (F,), a picture (h, w), or a function of places (n, 3)."""
 
 
+_PROBES = 65536
+"""Spots over the whole surface at which the mean density is found."""
 WIDEST = 16.0
 """How many times as far apart as on average points are wanted at most: at densities below 1 / 256."""
 
@@ -40,6 +44,15 @@ class Weighting:
     kind: str
     texcoords: NDArray[np.float64] | None = None
 
+    def __post_init__(self) -> None:
+        if not self.mean > 0:
+            raise TilewrightValueError("is 0 everywhere", argument="density", allowed="more than 0 somewhere")
+
+    @cached_property
+    def mean(self) -> float:
+        """The mean over the whole surface, as many spots tell it."""
+        return float(self.at(spread_spots(self.sound.cut.surface, _PROBES)).mean())
+
     @classmethod
     def of(cls, mesh: Mesh, sound: SoundMesh, density: Density) -> "Weighting":
         """What ``density`` says of a mesh; see `surface_points`."""
@@ -49,7 +62,7 @@ class Weighting:
         if values.dtype.kind not in "iufb":
             raise type_error("density", density, "numbers or a function of places (n, 3)")
         values = values.astype(np.float64)
-        _check("density", values)
+        _check(values)
         corners = sound.corner_numbers[sound.cut.corners]
         if values.ndim == 2:
             if mesh.texcoords is None:
@@ -83,17 +96,13 @@ class Weighting:
             ) from reason
         if values.shape != (len(places),):
             raise shape_error("density", values.shape, f"({len(places)},), one number for every place")
-        _check("density", values)
+        _check(values)
         return values
 
-    def spacing(self, mean: float) -> Callable[[Spots], NDArray[np.float64]]:
-        """How far apart points are to lie at spots, over what is right where density is ``mean``."""
-
-        def space(spots: Spots) -> NDArray[np.float64]:
-            with np.errstate(divide="ignore"):
-                return np.minimum(np.sqrt(mean / self.at(spots)), WIDEST)
-
-        return space
+    def spacing(self, spots: Spots) -> NDArray[np.float64]:
+        """How far apart points are to lie at spots, over what is right where density is the mean."""
+        with np.errstate(divide="ignore"):
+            return np.minimum(np.sqrt(self.mean / self.at(spots)), WIDEST)
 
 
 def _look_up(picture: NDArray[np.float64], uv: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -112,14 +121,12 @@ def _mix(a: NDArray[np.float64], b: NDArray[np.float64], share: NDArray[np.float
     return a + (b - a) * share
 
 
-def _check(name: str, values: NDArray[np.float64]) -> None:
+def _check(values: NDArray[np.float64]) -> None:
     if values.size == 0:
-        raise TilewrightValueError("is empty", argument=name)
+        raise TilewrightValueError("is empty", argument="density")
     if not np.isfinite(values).all() or values.min() < 0:
         raise TilewrightValueError(
             f"holds {values[~np.isfinite(values) | (values < 0)].flat[0]}; allowed are 0 and more",
-            argument=name,
+            argument="density",
             allowed="0 and more",
         )
-    if not values.max() > 0:
-        raise TilewrightValueError("is 0 everywhere", argument=name, allowed="more than 0 somewhere")

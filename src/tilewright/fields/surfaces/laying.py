@@ -27,8 +27,14 @@ _MARGIN = 1.25
 """How much larger than on average the share of a place may be taken before points are compared."""
 _OPEN = 1.05
 """How many more points than needed are made where the surface is open."""
+_MOST_SIDES = 2**19
+"""Sides of faces beyond which a mesh is not subdivided for the sake of a density."""
 _SPARSE = 2.0
 """Points a tile, in the median, below which tiles take turns in rounding up rather than throw lots."""
+
+
+Rows = tuple[NDArray[np.int64], NDArray[np.uint8], NDArray[np.float32]]
+"""Where the points of distinct tiles start, their sectors, and where they lie in them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,40 +50,55 @@ class Laid:
         Its number in the tile.
     keys : float64 array, shape (n,)
         Its rank over the share of points that its place needs.
-    crowded : float
-        The share of the points for which their tiles hold too few.
     """
 
     spots: Spots
     tiles: NDArray[np.int64]
     numbers: NDArray[np.int32]
     keys: NDArray[np.float64]
-    crowded: float
 
     def keep(self, count: int) -> "Laid":
         """The points of the smallest keys, in their order."""
         order = np.lexsort((self.numbers, self.tiles, self.keys))[:count]
-        return Laid(self.spots[order], self.tiles[order], self.numbers[order], self.keys[order], self.crowded)
+        return Laid(self.spots[order], self.tiles[order], self.numbers[order], self.keys[order])
 
 
 def fit_domain(domain: MedialDomain, count: int, weighting: Weighting | None) -> tuple[MedialDomain, int]:
     """The domain subdivided, and points a tile, so that no place needs more points than its tile has."""
     while True:
         loads = _find_loads(domain, weighting)
-        # Sectors of equal areas would each need a quarter of the points of a tile.
-        full = 4 * count * float(np.quantile(loads, 0.999)) / loads.sum()
+        # Sectors of equal loads would each need a quarter of the points of a tile.
+        full = 4 * count * _almost_all(loads) / max(loads.sum(), 1e-300)
         if (domain.half_edges.twins < 0).any():
             full *= _OPEN  # what tiles on the boundary hold varies with what is cut off
         points = max(FEWEST, int(np.ceil(full / 8 - 1e-9)) * 8)
-        if points <= MOST:
+        if points <= MOST and loads.any():
             return domain, points
+        if weighting is not None and len(domain.half_edges) > _MOST_SIDES + count:
+            raise TilewrightValueError(
+                "lies almost all in so small a part of the surface that it would take too many tiles",
+                argument="density",
+                advice="use a mesh that is finer there",
+            )
         domain = domain.subdivide()
+
+
+def _almost_all(loads: NDArray[np.float64]) -> float:
+    """The load that is passed by sectors of a thousandth of all loads only."""
+    order = np.sort(loads)
+    return float(order[np.searchsorted(np.cumsum(order), 0.999 * order.sum())])
 
 
 def _find_loads(domain: MedialDomain, weighting: Weighting | None) -> NDArray[np.float64]:
     """How many points each sector wants, in any unit."""
     areas = domain.sector_areas
-    return areas if weighting is None else areas * weighting.at(domain.sector_middles)
+    return areas if weighting is None else areas * _scaled(weighting.at(domain.sector_middles))
+
+
+def _scaled(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Numbers whose largest is 1, so that no sum is too large."""
+    most = float(values.max())
+    return values / most if most > 0 else values
 
 
 def lay(tiling: SurfaceTiling, tiles: "DualPointTiles", count: int, weighting: Weighting | None) -> Laid:
@@ -90,12 +111,12 @@ def lay(tiling: SurfaceTiling, tiles: "DualPointTiles", count: int, weighting: W
     # Step 1: the share of its tile's points that each place needs.
     needs = shares[sectors] * domain.sound.cut.stretches[spots.triangles]
     if weighting is not None:
-        dense = weighting.at(spots)
+        dense = _scaled(weighting.at(spots))
         needs *= dense * (needs.sum() / (needs * dense).sum())
     # Step 2: a rank for every point, moved within its tile so that tiles do not round alike.
     held = np.diff(rows[0])[kinds]
     jitter = _jitter(tiling, count, weighting)
-    with np.errstate(divide="ignore"):
+    with np.errstate(divide="ignore", over="ignore"):  # where no points are wanted
         keys = (numbers + 0.5 + jitter[owners]) / held[owners] / needs
     if np.isfinite(keys).sum() < count:
         raise TilewrightValueError(
@@ -103,14 +124,12 @@ def lay(tiling: SurfaceTiling, tiles: "DualPointTiles", count: int, weighting: W
             argument="count",
             value=count,
         )
-    return Laid(spots, owners, numbers, keys, float((needs > 1).mean()))
+    return Laid(spots, owners, numbers, keys)
 
 
 def _find_rows(
     tiling: SurfaceTiling, tiles: "DualPointTiles"
-) -> tuple[
-    NDArray[np.int64], NDArray[np.int64], tuple[NDArray[np.int64], NDArray[np.uint8], NDArray[np.float32]]
-]:
+) -> tuple[NDArray[np.int64], NDArray[np.int64], Rows]:
     """The row and the turn of every tile, and the points of all distinct rows."""
     from tilewright.tiles.dual import canonical_slots
 
@@ -139,9 +158,7 @@ def _find_rows(
 
 def _place(
     domain: MedialDomain,
-    laid: tuple[
-        NDArray[np.int64], NDArray[np.int64], tuple[NDArray[np.int64], NDArray[np.uint8], NDArray[np.float32]]
-    ],
+    laid: tuple[NDArray[np.int64], NDArray[np.int64], Rows],
     shares: NDArray[np.float64],
     weighting: Weighting | None,
 ) -> tuple[Spots, NDArray[np.int64], NDArray[np.int32], NDArray[np.int64]]:

@@ -13,7 +13,6 @@ from tilewright.domains import Mesh, Spots, Surface
 from tilewright.domains.medial import MedialDomain
 from tilewright.domains.nearest import nearest_spots
 from tilewright.domains.repair import SoundMesh, make_sound
-from tilewright.domains.spreading import spread_spots
 from tilewright.errors import Progress, TilewrightValueError
 from tilewright.fields.surfaces.density import Density, Weighting
 from tilewright.fields.surfaces.laying import Laid, fit_domain, lay
@@ -30,8 +29,6 @@ _LARGEST_RHO = {"even": 0.85, "poisson": 0.78, "tiles": 0.75}
 _MOST = 50_000_000
 _COLORS = {"even": 1, "poisson": 1, "tiles": 2}
 """Colors of corners: where points are moved afterwards no repetition is left that more tiles would spare."""
-_PROBES = 65536
-"""Spots over the whole surface whose mean density all others are compared with."""
 _SET_RHO = 0.7
 """Relative radius of the tiles that are refined: the largest at which they need no second try."""
 
@@ -264,10 +261,7 @@ class _Plan:
 
     def refine(self, spots: Spots, progress: Progress | None) -> Refined:
         """Points pushed apart and moved into holes."""
-        scale = None
-        if self.weighting is not None:
-            mean = self.weighting.at(spread_spots(self.surface, _PROBES)).mean()
-            scale = self.weighting.spacing(float(mean))
+        scale = None if self.weighting is None else self.weighting.spacing
         recipe = replace(RECIPES[self.kind], rho=self.rho)
         return refine_spots(self.surface, spots, recipe, scale=scale, progress=progress)
 
