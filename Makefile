@@ -31,7 +31,7 @@ test: $(VENV)/.test-installed
 	sh .ci/install-validators
 	$(PYTEST) -m "not pages"
 
-# The code of all pages and tutorials, as a reader would run it.
+# The code of all pages, tutorials and examples, as a reader would run it.
 pages: $(VENV)/.test-installed
 	$(PYTEST) -m pages
 

@@ -20,6 +20,7 @@ TIMED = {"comparison.md", "comparison.json"}
 
 
 @pytest.mark.usefixtures("small_photographs")
+@pytest.mark.pages
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_an_example_and_its_commands_make_the_same(path, tmp_path, monkeypatch):
     monkeypatch.setattr(comparison, "SPECTRUM_POINTS", 1024)
